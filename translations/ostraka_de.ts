@@ -230,11 +230,6 @@
       <translation>Rückseite</translation>
     </message>
     <message>
-      <source>reason voided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Grund der Ungültigkeit</translation>
-    </message>
-    <message>
       <source>minimum thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kleinste Wandstärke, mm</translation>
@@ -469,6 +464,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bedeutung</translation>
     </message>
+    <message>
+      <source>reason for voiding</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Grund der Ungültigkeit</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -563,16 +563,6 @@
       <translation>Kameras werden gefunden</translation>
     </message>
     <message>
-      <source>Telling sherds from background, front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherben werden vom Hintergrund getrennt, vorn</translation>
-    </message>
-    <message>
-      <source>Telling sherds from background, back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherben werden vom Hintergrund getrennt, hinten</translation>
-    </message>
-    <message>
       <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Form wird gemessen, vorn</translation>
@@ -621,6 +611,16 @@
       <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Weitere Partner für zweifelhafte Paare werden gesucht</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben werden gesucht, vorn</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben werden gesucht, hinten</translation>
     </message>
 </context>
 <context>
@@ -1065,11 +1065,6 @@
       <translation>Die Brüche lassen sich nicht vergleichen; nur die Umrisse passen.</translation>
     </message>
     <message>
-      <source>The fractures barely touch: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Brüche berühren sich kaum: %1 davon.</translation>
-    </message>
-    <message>
       <source>refined</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>verfeinert</translation>
@@ -1144,6 +1139,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ± %2</translation>
     </message>
+    <message>
+      <source>Only %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur %1 der Brüche berühren sich.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1158,11 +1158,11 @@
       <translation>Die Kopie lässt sich nicht an ihren Platz legen: %1.</translation>
     </message>
     <message numerus="yes">
-      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <source>Sheet recognised: %n marker(s). Sizes follow from the marker side that was typed, %1 mm; check it on the paper with a ruler.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Das Blatt wurde erkannt: %n Marke. Ihre Seite wurde als %1 mm eingegeben; mit einem Lineal nachmessen, wenn Maße stimmen müssen.</numerusform>
-        <numerusform>Das Blatt wurde erkannt: %n Marken. Ihre Seite wurde als %1 mm eingegeben; eine mit einem Lineal nachmessen, wenn Maße stimmen müssen.</numerusform>
+        <numerusform>Blatt erkannt: %n Marke. Alle Maße beruhen auf der eingegebenen Markenseite von %1 mm; bitte auf dem Papier mit einem Lineal nachmessen.</numerusform>
+        <numerusform>Blatt erkannt: %n Marken. Alle Maße beruhen auf der eingegebenen Markenseite von %1 mm; bitte auf dem Papier mit einem Lineal nachmessen.</numerusform>
       </translation>
     </message>
 </context>
@@ -1572,6 +1572,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Andere Rückseite …</translation>
     </message>
+    <message>
+      <source>by outline alone</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nur nach dem Umriss</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1614,12 +1619,12 @@
     <message>
       <source>Import photographs…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotos importieren…</translation>
+      <translation>Fotos importieren …</translation>
     </message>
     <message>
       <source>Import scans…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scans importieren…</translation>
+      <translation>Scans importieren …</translation>
     </message>
     <message>
       <source>Camera %1</source>
@@ -1752,19 +1757,19 @@
       <translation>Fotos behalten</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 hat diese Dateien schon; nichts wurde importiert. Werden sie trotzdem importiert, stehen seine Scherben zweimal im Katalog.</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde importiert. Werden sie trotzdem importiert, stehen die Scherben beider im Katalog; %1 in der Warteschlange beiseitelegen, wenn das nicht gewollt ist.</translation>
-    </message>
-    <message>
         <source>%1, %2 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1, %2 %</translation>
+    </message>
+    <message>
+      <source>%1 already has these files, so nothing was imported. If you import them anyway, its sherds appear twice in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hat diese Dateien schon, daher wurde nichts importiert. Werden sie trotzdem importiert, stehen die Scherben zweimal im Katalog.</translation>
+    </message>
+    <message>
+      <source>%1 already has %2 of these %3 files, so nothing was imported. If you import them anyway, the catalogue holds the sherds of both batches; if you do not want that, set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hat %2 dieser %3 Dateien schon, daher wurde nichts importiert. Werden sie trotzdem importiert, stehen die Scherben beider Durchgänge im Katalog; ist das nicht gewollt, legen Sie %1 in der Warteschlange beiseite.</translation>
     </message>
 </context>
 <context>
@@ -2623,14 +2628,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ordner öffnen</translation>
     </message>
-    <message numerus="yes">
-      <source>The %n chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Die eine im Katalog gewählte</numerusform>
-        <numerusform>Die %n im Katalog gewählten</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2755,6 +2752,14 @@
       <source>Surfaces in the drawings</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Oberflächen in den Zeichnungen</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n selected sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n ausgewählte Scherbe</numerusform>
+        <numerusform>%n ausgewählte Scherben</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2898,11 +2903,6 @@
       <source>Search the manual</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Handbuch durchsuchen</translation>
-    </message>
-    <message>
-      <source>%1, line %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, Zeile %2</translation>
     </message>
     <message>
       <source>The manual does not mention &apos;%1&apos;.</source>
@@ -3675,11 +3675,6 @@
       <translation>Eine der beiden hat keine Rückseite, die sich zusammenführen ließe.</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gespeichert, mit Ihrem Namen; aber die Brüche von %1 und %2 berühren sich kaum: %3 davon.</translation>
-    </message>
-    <message>
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Paar kann entschieden werden, sobald es zu sehen ist.</translation>
@@ -3688,6 +3683,11 @@
       <source>All pairs of this batch are decided.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Alle Paare dieses Durchgangs sind entschieden.</translation>
+    </message>
+    <message>
+      <source>Saved. Check %1 – %2: only %3 of their fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert. Bitte %1 – %2 prüfen: Nur %3 ihrer Brüche berühren sich.</translation>
     </message>
 </context>
 <context>
@@ -3940,7 +3940,7 @@
     <message>
       <source>Marker side…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Markenseite…</translation>
+      <translation>Markenseite …</translation>
     </message>
     <message>
       <source>Keep both</source>
@@ -4066,7 +4066,7 @@
     <message>
       <source>… and the other end</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>… und das andere Ende</translation>
+      <translation> … und das andere Ende</translation>
     </message>
     <message>
       <source>Pairs of the batch</source>
@@ -4300,17 +4300,17 @@
     <message>
       <source>Choose a rig file…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Messplatzdatei wählen…</translation>
+      <translation>Messplatzdatei wählen …</translation>
     </message>
     <message>
       <source>Import photographs…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotos importieren…</translation>
+      <translation>Fotos importieren …</translation>
     </message>
     <message>
       <source>Import scans…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scans importieren…</translation>
+      <translation>Scans importieren …</translation>
     </message>
     <message>
       <source>The virtual rig</source>
@@ -4750,7 +4750,7 @@
     <message>
       <source>Numbering…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nummerierung…</translation>
+      <translation>Nummerierung …</translation>
     </message>
     <message>
       <source>photograph</source>
@@ -4891,11 +4891,6 @@
       <translation>&amp;Projekte</translation>
     </message>
     <message>
-      <source>&amp;Open a project…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Projekt &amp;öffnen…</translation>
-    </message>
-    <message>
       <source>Try with the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mit dem virtuellen Messplatz ausprobieren</translation>
@@ -4913,7 +4908,7 @@
     <message>
       <source>Choose…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wählen…</translation>
+      <translation>Wählen …</translation>
     </message>
     <message>
       <source>Choose the folder</source>
@@ -5015,11 +5010,6 @@
 %2 ist nicht da: suchen …</translation>
     </message>
     <message>
-      <source>Open</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Öffnen</translation>
-    </message>
-    <message>
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eingabe</translation>
@@ -5032,7 +5022,7 @@
     <message>
         <source>Import photographs…</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Fotos importieren…</translation>
+        <translation>Fotos importieren …</translation>
     </message>
     <message>
         <source>Creates a project named after their folder</source>
@@ -5073,6 +5063,16 @@
         <source>Where to put the project: an empty folder, or one for a new folder</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Wohin mit dem Projekt: ein leerer Ordner oder einer für einen neuen Ordner</translation>
+    </message>
+    <message>
+      <source>&amp;Open from folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aus &amp;Ordner öffnen …</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projekt öffnen</translation>
     </message>
 </context>
 <context>
@@ -5294,11 +5294,6 @@
       <translation>Letzte Nummer dieses Rechners</translation>
     </message>
     <message>
-      <source>Left out so far</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bisher ausgelassen</translation>
-    </message>
-    <message>
       <source>N&amp;umbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>N&amp;ummerierung</translation>
@@ -5327,11 +5322,6 @@
       </translation>
     </message>
     <message>
-      <source>no number</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>keine Nummer</translation>
-    </message>
-    <message>
       <source>to</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bis</translation>
@@ -5350,6 +5340,16 @@
       <source>Use this &amp;numbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese &amp;Nummerierung verwenden</translation>
+    </message>
+    <message>
+      <source>Skipped numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ausgelassene Nummern</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -9890,12 +9890,12 @@
     <message>
       <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diese Datei muss eine JSON-Liste aus {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} oder {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;} sein; nichts wurde zusammengeführt. Die Datei berichtigen.</translation>
+      <translation>Diese Datei muss eine JSON-Liste aus {&quot;id&quot;: &quot; …&quot;, &quot;take&quot;: &quot;a&quot;} oder {&quot;id&quot;: &quot; …&quot;, &quot;number&quot;: &quot; …&quot;} sein; nichts wurde zusammengeführt. Die Datei berichtigen.</translation>
     </message>
     <message>
       <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Eintrag dieser Datei hat nicht die Form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (oder &quot;b&quot;, oder &quot;number&quot; mit einer neuen Nummer): %1; nichts wurde zusammengeführt. Den Eintrag berichtigen.</translation>
+      <translation>Ein Eintrag dieser Datei hat nicht die Form {&quot;id&quot;: &quot; …&quot;, &quot;take&quot;: &quot;a&quot;} (oder &quot;b&quot;, oder &quot;number&quot; mit einer neuen Nummer): %1; nichts wurde zusammengeführt. Den Eintrag berichtigen.</translation>
     </message>
     <message>
       <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
@@ -10745,7 +10745,7 @@
     <message>
       <source>Choose sheet…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bogen wählen…</translation>
+      <translation>Bogen wählen …</translation>
     </message>
     <message>
       <source>Clear sheet</source>
@@ -10828,7 +10828,7 @@
     <message>
       <source>Choose back folder…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ordner der Rückseiten wählen…</translation>
+      <translation>Ordner der Rückseiten wählen …</translation>
     </message>
     <message>
       <source>A folder that holds both sides is split where the sherds were turned over; the folder of the back photographs replaces the split</source>
@@ -11171,7 +11171,7 @@
     <message>
         <source>Print a sheet…</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Bogen drucken…</translation>
+        <translation>Bogen drucken …</translation>
     </message>
     <message>
         <source>Markers around the sherds give photographs taken by hand their scale</source>

@@ -230,11 +230,6 @@
       <translation>πίσω όψη</translation>
     </message>
     <message>
-      <source>reason voided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>άκυρο επειδή</translation>
-    </message>
-    <message>
       <source>minimum thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>πάχος ελάχιστο, mm</translation>
@@ -469,6 +464,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>σημασία</translation>
     </message>
+    <message>
+      <source>reason for voiding</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>λόγος ακύρωσης</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -563,16 +563,6 @@
       <translation>Εντοπισμός των καμερών</translation>
     </message>
     <message>
-      <source>Telling sherds from background, front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διάκριση οστράκων και φόντου, εμπρός</translation>
-    </message>
-    <message>
-      <source>Telling sherds from background, back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Διάκριση οστράκων και φόντου, πίσω</translation>
-    </message>
-    <message>
       <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μέτρηση του σχήματος, εμπρός</translation>
@@ -621,6 +611,16 @@
       <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αναζήτηση άλλων ταιριών για τα αμφίβολα ζεύγη</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εντοπισμός οστράκων, εμπρός</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εντοπισμός οστράκων, πίσω</translation>
     </message>
 </context>
 <context>
@@ -1065,11 +1065,6 @@
       <translation>Οι θραύσεις δεν συγκρίνονται· μόνο τα περιγράμματα συνδέουν αυτές τις όψεις.</translation>
     </message>
     <message>
-      <source>The fractures barely touch: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι θραύσεις μόλις ακουμπούν: το %1.</translation>
-    </message>
-    <message>
       <source>refined</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ρυθμισμένο</translation>
@@ -1144,6 +1139,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ± %2</translation>
     </message>
+    <message>
+      <source>Only %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ακουμπά μόνο το %1 των θραύσεων.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1158,11 +1158,11 @@
       <translation>Το αντίγραφο δεν μπορεί να μπει στη θέση του: %1.</translation>
     </message>
     <message numerus="yes">
-      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <source>Sheet recognised: %n marker(s). Sizes follow from the marker side that was typed, %1 mm; check it on the paper with a ruler.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Το φύλλο αναγνωρίστηκε: %n δείκτης. Η πλευρά του δόθηκε ως %1 mm· μετρήστε τον με χάρακα αν τα μεγέθη πρέπει να είναι σωστά.</numerusform>
-        <numerusform>Το φύλλο αναγνωρίστηκε: %n δείκτες. Η πλευρά τους δόθηκε ως %1 mm· μετρήστε έναν με χάρακα αν τα μεγέθη πρέπει να είναι σωστά.</numerusform>
+        <numerusform>Το φύλλο αναγνωρίστηκε: %n δείκτης. Τα μεγέθη βασίζονται στην πλευρά δείκτη που δόθηκε, %1 mm· ελέγξτε την στο χαρτί με χάρακα.</numerusform>
+        <numerusform>Το φύλλο αναγνωρίστηκε: %n δείκτες. Τα μεγέθη βασίζονται στην πλευρά δείκτη που δόθηκε, %1 mm· ελέγξτε την στο χαρτί με χάρακα.</numerusform>
       </translation>
     </message>
 </context>
@@ -1572,6 +1572,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Άλλη πίσω όψη …</translation>
     </message>
+    <message>
+      <source>by outline alone</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μόνο από το περίγραμμα</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1752,19 +1757,19 @@
       <translation>Διατήρηση των φωτογραφιών</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το %1 έχει ήδη αυτά τα αρχεία· δεν εισήχθη τίποτα. Αν εισαχθούν παρ’ όλα αυτά, τα όστρακά του βρίσκονται δύο φορές στον κατάλογο.</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το %1 έχει ήδη %2 από αυτά τα %3 αρχεία· δεν εισήχθη τίποτα. Αν εισαχθούν παρ’ όλα αυτά, τα όστρακα και των δύο βρίσκονται στον κατάλογο· βάλτε το %1 στην άκρη στην ουρά, αν δεν το θέλετε.</translation>
-    </message>
-    <message>
         <source>%1, %2 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1, %2 %</translation>
+    </message>
+    <message>
+      <source>%1 already has these files, so nothing was imported. If you import them anyway, its sherds appear twice in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 έχει ήδη αυτά τα αρχεία, γι’ αυτό δεν εισήχθη τίποτα. Αν τα εισαγάγετε παρ’ όλα αυτά, τα όστρακά του εμφανίζονται δύο φορές στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>%1 already has %2 of these %3 files, so nothing was imported. If you import them anyway, the catalogue holds the sherds of both batches; if you do not want that, set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 έχει ήδη %2 από αυτά τα %3 αρχεία, γι’ αυτό δεν εισήχθη τίποτα. Αν τα εισαγάγετε παρ’ όλα αυτά, ο κατάλογος περιέχει τα όστρακα και των δύο· αν δεν το θέλετε, βάλτε το %1 στην άκρη στην ουρά.</translation>
     </message>
 </context>
 <context>
@@ -2623,14 +2628,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Άνοιγμα φακέλου</translation>
     </message>
-    <message numerus="yes">
-      <source>The %n chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Το επιλεγμένο στον κατάλογο</numerusform>
-        <numerusform>Τα %n επιλεγμένα στον κατάλογο</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2755,6 +2752,14 @@
       <source>Surfaces in the drawings</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Επιφάνειες στα σχέδια</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n selected sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n επιλεγμένο όστρακο</numerusform>
+        <numerusform>%n επιλεγμένα όστρακα</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2898,11 +2903,6 @@
       <source>Search the manual</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αναζήτηση στο εγχειρίδιο</translation>
-    </message>
-    <message>
-      <source>%1, line %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, γραμμή %2</translation>
     </message>
     <message>
       <source>The manual does not mention &apos;%1&apos;.</source>
@@ -3675,11 +3675,6 @@
       <translation>Το ένα από τα δύο δεν έχει πίσω όψη για συγχώνευση.</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε, με το όνομά σας· όμως οι θραύσεις του %1 και του %2 μόλις ακουμπούν: το %3.</translation>
-    </message>
-    <message>
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Για ένα ζεύγος μπορείτε να αποφασίσετε μόλις εμφανιστεί.</translation>
@@ -3688,6 +3683,11 @@
       <source>All pairs of this batch are decided.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όλα τα ζεύγη αυτής της παρτίδας έχουν αποφασιστεί.</translation>
+    </message>
+    <message>
+      <source>Saved. Check %1 – %2: only %3 of their fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Ελέγξτε %1 – %2: ακουμπά μόνο το %3 των θραύσεών τους.</translation>
     </message>
 </context>
 <context>
@@ -4891,11 +4891,6 @@
       <translation>&amp;Έργα</translation>
     </message>
     <message>
-      <source>&amp;Open a project…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Άνοιγμα έργου…</translation>
-    </message>
-    <message>
       <source>Try with the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δοκιμή με την εικονική διάταξη</translation>
@@ -5015,11 +5010,6 @@
 Το %2 δεν υπάρχει: βρείτε το …</translation>
     </message>
     <message>
-      <source>Open</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Άνοιγμα</translation>
-    </message>
-    <message>
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enter</translation>
@@ -5073,6 +5063,16 @@
         <source>Where to put the project: an empty folder, or one for a new folder</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Πού θα μπει το έργο: ένας κενός φάκελος ή ένας για νέο φάκελο</translation>
+    </message>
+    <message>
+      <source>&amp;Open from folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ά&amp;νοιγμα από φάκελο…</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άνοιγμα έργου</translation>
     </message>
 </context>
 <context>
@@ -5294,11 +5294,6 @@
       <translation>Τελευταίος αριθμός αυτού του υπολογιστή</translation>
     </message>
     <message>
-      <source>Left out so far</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Παραλείφθηκαν ως τώρα</translation>
-    </message>
-    <message>
       <source>N&amp;umbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Α&amp;ρίθμηση</translation>
@@ -5327,11 +5322,6 @@
       </translation>
     </message>
     <message>
-      <source>no number</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>κανένας αριθμός</translation>
-    </message>
-    <message>
       <source>to</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>έως</translation>
@@ -5350,6 +5340,16 @@
       <source>Use this &amp;numbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αρίθμηση έτσι από εδώ και &amp;πέρα</translation>
+    </message>
+    <message>
+      <source>Skipped numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αριθμοί που παραλείφθηκαν</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κανένας</translation>
     </message>
 </context>
 <context>

@@ -218,10 +218,10 @@
 <context>
     <name>ostraka::ui::ExportScreen</name>
     <message numerus="yes">
-      <source>The %n chosen in the catalogue</source>
+      <source>%n selected sherd(s)</source>
       <translation>
-        <numerusform>The %n chosen in the catalogue</numerusform>
-        <numerusform>The %n chosen in the catalogue</numerusform>
+        <numerusform>%n selected sherd</numerusform>
+        <numerusform>%n selected sherds</numerusform>
       </translation>
     </message>
 </context>
@@ -440,10 +440,10 @@
 <context>
     <name>ostraka::ui::BatchImporter</name>
     <message numerus="yes">
-      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <source>Sheet recognised: %n marker(s). Sizes follow from the marker side that was typed, %1 mm; check it on the paper with a ruler.</source>
       <translation>
-        <numerusform>The sheet was recognised: %n marker. Its marker side was typed as %1 mm; measure it with a ruler if sizes must be right.</numerusform>
-        <numerusform>The sheet was recognised: %n markers. Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</numerusform>
+        <numerusform>Sheet recognised: %n marker. Sizes follow from the marker side that was typed, %1 mm; check it on the paper with a ruler.</numerusform>
+        <numerusform>Sheet recognised: %n markers. Sizes follow from the marker side that was typed, %1 mm; check it on the paper with a ruler.</numerusform>
       </translation>
     </message>
 </context>

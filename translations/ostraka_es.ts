@@ -230,11 +230,6 @@
       <translation>reverso</translation>
     </message>
     <message>
-      <source>reason voided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>anulado porque</translation>
-    </message>
-    <message>
       <source>minimum thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>grosor mínimo, mm</translation>
@@ -469,6 +464,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>significado</translation>
     </message>
+    <message>
+      <source>reason for voiding</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>motivo de la anulación</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -563,16 +563,6 @@
       <translation>Localizando las cámaras</translation>
     </message>
     <message>
-      <source>Telling sherds from background, front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Separando los fragmentos del fondo, anverso</translation>
-    </message>
-    <message>
-      <source>Telling sherds from background, back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Separando los fragmentos del fondo, reverso</translation>
-    </message>
-    <message>
       <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Midiendo la forma, anverso</translation>
@@ -621,6 +611,16 @@
       <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Buscando otras parejas para los pares dudosos</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Buscando los fragmentos, anverso</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Buscando los fragmentos, reverso</translation>
     </message>
 </context>
 <context>
@@ -1065,11 +1065,6 @@
       <translation>Las fracturas no se pueden comparar; solo los contornos unen estos lados.</translation>
     </message>
     <message>
-      <source>The fractures barely touch: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las fracturas apenas se tocan: el %1.</translation>
-    </message>
-    <message>
       <source>refined</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ajustado</translation>
@@ -1144,6 +1139,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ± %2</translation>
     </message>
+    <message>
+      <source>Only %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Solo el %1 de las fracturas se toca.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1158,11 +1158,11 @@
       <translation>La copia no se puede poner en su sitio: %1.</translation>
     </message>
     <message numerus="yes">
-      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <source>Sheet recognised: %n marker(s). Sizes follow from the marker side that was typed, %1 mm; check it on the paper with a ruler.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Se reconoció la hoja: %n marcador. Su lado se escribió como %1 mm; mídalo con una regla si los tamaños deben ser exactos.</numerusform>
-        <numerusform>Se reconoció la hoja: %n marcadores. Su lado se escribió como %1 mm; mida uno con una regla si los tamaños deben ser exactos.</numerusform>
+        <numerusform>Hoja reconocida: %n marcador. Los tamaños parten del lado de marcador que se escribió, %1 mm; compruébelo en el papel con una regla.</numerusform>
+        <numerusform>Hoja reconocida: %n marcadores. Los tamaños parten del lado de marcador que se escribió, %1 mm; compruébelo en el papel con una regla.</numerusform>
       </translation>
     </message>
 </context>
@@ -1572,6 +1572,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro reverso …</translation>
     </message>
+    <message>
+      <source>by outline alone</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>solo por el contorno</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1752,19 +1757,19 @@
       <translation>Conservar las fotos</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ya tiene estos archivos; no se importó nada. Si se importan de todos modos, sus fragmentos están dos veces en el catálogo.</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ya tiene %2 de estos %3 archivos; no se importó nada. Si se importan de todos modos, los fragmentos de ambas están en el catálogo; aparte %1 en la cola si no lo desea.</translation>
-    </message>
-    <message>
         <source>%1, %2 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1, %2 %</translation>
+    </message>
+    <message>
+      <source>%1 already has these files, so nothing was imported. If you import them anyway, its sherds appear twice in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ya tiene estos archivos, así que no se importó nada. Si los importa de todos modos, sus fragmentos aparecen dos veces en el catálogo.</translation>
+    </message>
+    <message>
+      <source>%1 already has %2 of these %3 files, so nothing was imported. If you import them anyway, the catalogue holds the sherds of both batches; if you do not want that, set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ya tiene %2 de estos %3 archivos, así que no se importó nada. Si los importa de todos modos, el catálogo contiene los fragmentos de ambas tandas; si no lo desea, aparte %1 en la cola.</translation>
     </message>
 </context>
 <context>
@@ -2623,14 +2628,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Abrir la carpeta</translation>
     </message>
-    <message numerus="yes">
-      <source>The %n chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>El elegido en el catálogo</numerusform>
-        <numerusform>Los %n elegidos en el catálogo</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2755,6 +2752,14 @@
       <source>Surfaces in the drawings</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Superficies en los dibujos</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n selected sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento seleccionado</numerusform>
+        <numerusform>%n fragmentos seleccionados</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2898,11 +2903,6 @@
       <source>Search the manual</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Buscar en el manual</translation>
-    </message>
-    <message>
-      <source>%1, line %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, línea %2</translation>
     </message>
     <message>
       <source>The manual does not mention &apos;%1&apos;.</source>
@@ -3675,11 +3675,6 @@
       <translation>Uno de los dos no tiene reverso que unir.</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado, con su nombre; pero las fracturas de %1 y %2 apenas se tocan: el %3.</translation>
-    </message>
-    <message>
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se puede decidir sobre una pareja en cuanto se muestra.</translation>
@@ -3688,6 +3683,11 @@
       <source>All pairs of this batch are decided.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Todos los pares de este lote están decididos.</translation>
+    </message>
+    <message>
+      <source>Saved. Check %1 – %2: only %3 of their fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado. Compruebe %1 – %2: solo el %3 de sus fracturas se toca.</translation>
     </message>
 </context>
 <context>
@@ -4891,11 +4891,6 @@
       <translation>&amp;Proyectos</translation>
     </message>
     <message>
-      <source>&amp;Open a project…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Abrir un proyecto…</translation>
-    </message>
-    <message>
       <source>Try with the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Probar con el equipo virtual</translation>
@@ -5015,11 +5010,6 @@
 %2 no está: búsquelo …</translation>
     </message>
     <message>
-      <source>Open</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Abrir</translation>
-    </message>
-    <message>
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Intro</translation>
@@ -5073,6 +5063,16 @@
         <source>Where to put the project: an empty folder, or one for a new folder</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Dónde poner el proyecto: una carpeta vacía, o una para una carpeta nueva</translation>
+    </message>
+    <message>
+      <source>&amp;Open from folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Abrir desde una carpeta…</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abrir proyecto</translation>
     </message>
 </context>
 <context>
@@ -5294,11 +5294,6 @@
       <translation>Último número de este ordenador</translation>
     </message>
     <message>
-      <source>Left out so far</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Omitidos hasta ahora</translation>
-    </message>
-    <message>
       <source>N&amp;umbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>N&amp;umeración</translation>
@@ -5327,11 +5322,6 @@
       </translation>
     </message>
     <message>
-      <source>no number</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ningún número</translation>
-    </message>
-    <message>
       <source>to</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>a</translation>
@@ -5350,6 +5340,16 @@
       <source>Use this &amp;numbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Usar esta &amp;numeración</translation>
+    </message>
+    <message>
+      <source>Skipped numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Números omitidos</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ninguno</translation>
     </message>
 </context>
 <context>

@@ -230,11 +230,6 @@
       <translation>face arrière</translation>
     </message>
     <message>
-      <source>reason voided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>annulé parce que</translation>
-    </message>
-    <message>
       <source>minimum thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>épaisseur minimale, mm</translation>
@@ -469,6 +464,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>signification</translation>
     </message>
+    <message>
+      <source>reason for voiding</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>raison de l’annulation</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -563,16 +563,6 @@
       <translation>Recherche des caméras</translation>
     </message>
     <message>
-      <source>Telling sherds from background, front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Séparation des tessons et du fond, face avant</translation>
-    </message>
-    <message>
-      <source>Telling sherds from background, back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Séparation des tessons et du fond, face arrière</translation>
-    </message>
-    <message>
       <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mesure de la forme, face avant</translation>
@@ -621,6 +611,16 @@
       <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Recherche d’autres partenaires pour les paires douteuses</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Recherche des tessons, face avant</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Recherche des tessons, face arrière</translation>
     </message>
 </context>
 <context>
@@ -1065,11 +1065,6 @@
       <translation>Les cassures ne peuvent pas être comparées ; seuls les contours lient ces faces.</translation>
     </message>
     <message>
-      <source>The fractures barely touch: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les cassures se touchent à peine : %1 d’entre elles.</translation>
-    </message>
-    <message>
       <source>refined</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ajusté</translation>
@@ -1144,6 +1139,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ± %2</translation>
     </message>
+    <message>
+      <source>Only %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seulement %1 des cassures se touchent.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1158,11 +1158,11 @@
       <translation>La copie ne peut pas être mise à sa place : %1.</translation>
     </message>
     <message numerus="yes">
-      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <source>Sheet recognised: %n marker(s). Sizes follow from the marker side that was typed, %1 mm; check it on the paper with a ruler.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>La feuille a été reconnue : %n marqueur. Son côté a été saisi comme %1 mm ; le mesurer avec une règle si les tailles doivent être justes.</numerusform>
-        <numerusform>La feuille a été reconnue : %n marqueurs. Leur côté a été saisi comme %1 mm ; en mesurer un avec une règle si les tailles doivent être justes.</numerusform>
+        <numerusform>Feuille reconnue : %n marqueur. Les tailles reposent sur le côté de marqueur saisi, %1 mm ; vérifiez-le sur le papier avec une règle.</numerusform>
+        <numerusform>Feuille reconnue : %n marqueurs. Les tailles reposent sur le côté de marqueur saisi, %1 mm ; vérifiez-le sur le papier avec une règle.</numerusform>
       </translation>
     </message>
 </context>
@@ -1572,6 +1572,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Autre face arrière …</translation>
     </message>
+    <message>
+      <source>by outline alone</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>d’après le seul contour</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1752,19 +1757,19 @@
       <translation>Garder les photos</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 a déjà ces fichiers ; rien n’a été importé. Importés quand même, ses tessons figurent deux fois au catalogue.</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 a déjà %2 de ces %3 fichiers ; rien n’a été importé. Importés quand même, les tessons des deux figurent au catalogue ; mettre %1 de côté dans la file si ce n’est pas voulu.</translation>
-    </message>
-    <message>
         <source>%1, %2 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1, %2 %</translation>
+    </message>
+    <message>
+      <source>%1 already has these files, so nothing was imported. If you import them anyway, its sherds appear twice in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a déjà ces fichiers ; rien n’a donc été importé. Si vous les importez quand même, ses tessons figurent deux fois au catalogue.</translation>
+    </message>
+    <message>
+      <source>%1 already has %2 of these %3 files, so nothing was imported. If you import them anyway, the catalogue holds the sherds of both batches; if you do not want that, set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a déjà %2 de ces %3 fichiers ; rien n’a donc été importé. Si vous les importez quand même, le catalogue contient les tessons des deux lots ; si vous ne le voulez pas, mettez %1 de côté dans la file.</translation>
     </message>
 </context>
 <context>
@@ -2623,14 +2628,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ouvrir le dossier</translation>
     </message>
-    <message numerus="yes">
-      <source>The %n chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Le tesson choisi dans le catalogue</numerusform>
-        <numerusform>Les %n choisis dans le catalogue</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2755,6 +2752,14 @@
       <source>Surfaces in the drawings</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Surfaces dans les dessins</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n selected sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson sélectionné</numerusform>
+        <numerusform>%n tessons sélectionnés</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2898,11 +2903,6 @@
       <source>Search the manual</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Chercher dans le manuel</translation>
-    </message>
-    <message>
-      <source>%1, line %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, ligne %2</translation>
     </message>
     <message>
       <source>The manual does not mention &apos;%1&apos;.</source>
@@ -3675,11 +3675,6 @@
       <translation>L’un des deux n’a pas de face arrière à fusionner.</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré, avec votre nom ; mais les cassures de %1 et %2 se touchent à peine : %3 d’entre elles.</translation>
-    </message>
-    <message>
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une paire peut être décidée dès qu’elle est affichée.</translation>
@@ -3688,6 +3683,11 @@
       <source>All pairs of this batch are decided.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Toutes les paires de ce lot sont décidées.</translation>
+    </message>
+    <message>
+      <source>Saved. Check %1 – %2: only %3 of their fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Vérifiez %1 – %2 : seulement %3 de leurs cassures se touchent.</translation>
     </message>
 </context>
 <context>
@@ -4891,11 +4891,6 @@
       <translation>&amp;Projets</translation>
     </message>
     <message>
-      <source>&amp;Open a project…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Ouvrir un projet…</translation>
-    </message>
-    <message>
       <source>Try with the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Essayer avec le banc virtuel</translation>
@@ -5015,11 +5010,6 @@
 %2 n’est plus là : le retrouver …</translation>
     </message>
     <message>
-      <source>Open</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ouvrir</translation>
-    </message>
-    <message>
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entrée</translation>
@@ -5073,6 +5063,16 @@
         <source>Where to put the project: an empty folder, or one for a new folder</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Où placer le projet : un dossier vide, ou celui d’un nouveau dossier</translation>
+    </message>
+    <message>
+      <source>&amp;Open from folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Ouvrir depuis un dossier…</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ouvrir le projet</translation>
     </message>
 </context>
 <context>
@@ -5294,11 +5294,6 @@
       <translation>Dernier numéro de cet ordinateur</translation>
     </message>
     <message>
-      <source>Left out so far</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Omis jusqu’ici</translation>
-    </message>
-    <message>
       <source>N&amp;umbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>N&amp;umérotation</translation>
@@ -5327,11 +5322,6 @@
       </translation>
     </message>
     <message>
-      <source>no number</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>aucun numéro</translation>
-    </message>
-    <message>
       <source>to</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>à</translation>
@@ -5350,6 +5340,16 @@
       <source>Use this &amp;numbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utiliser cette &amp;numérotation</translation>
+    </message>
+    <message>
+      <source>Skipped numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numéros sautés</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>aucun</translation>
     </message>
 </context>
 <context>

@@ -230,11 +230,6 @@
       <translation>հետևի երես</translation>
     </message>
     <message>
-      <source>reason voided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>անվավեր է, քանի որ</translation>
-    </message>
-    <message>
       <source>minimum thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>նվազագույն հաստություն, mm</translation>
@@ -469,6 +464,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>նշանակություն</translation>
     </message>
+    <message>
+      <source>reason for voiding</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>անվավեր ճանաչելու պատճառ</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -563,16 +563,6 @@
       <translation>Որոշվում են տեսախցիկների դիրքերը</translation>
     </message>
     <message>
-      <source>Telling sherds from background, front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորները տարանջատվում են ֆոնից, առջև</translation>
-    </message>
-    <message>
-      <source>Telling sherds from background, back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորները տարանջատվում են ֆոնից, հետև</translation>
-    </message>
-    <message>
       <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չափվում է ձևը, առջև</translation>
@@ -621,6 +611,16 @@
       <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Որոնվում են այլ զույգեր կասկածելի զույգերի համար</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորները որոնվում են, առջև</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորները որոնվում են, հետև</translation>
     </message>
 </context>
 <context>
@@ -1065,11 +1065,6 @@
       <translation>Կոտրվածքները համեմատել հնարավոր չէ. այս երեսները կապում են միայն ուրվագծերը։</translation>
     </message>
     <message>
-      <source>The fractures barely touch: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կոտրվածքները հազիվ են հպվում՝ %1-ը։</translation>
-    </message>
-    <message>
       <source>refined</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>հարմարեցված</translation>
@@ -1144,6 +1139,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ± %2</translation>
     </message>
+    <message>
+      <source>Only %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կոտրվածքների միայն %1-ն է հպվում։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1158,11 +1158,11 @@
       <translation>Պատճենը հնարավոր չէ դնել իր տեղը՝ %1։</translation>
     </message>
     <message numerus="yes">
-      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <source>Sheet recognised: %n marker(s). Sizes follow from the marker side that was typed, %1 mm; check it on the paper with a ruler.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Թերթը ճանաչվեց՝ %n նշիչ։ Դրա կողմը մուտքագրվել է %1 մմ. չափեք քանոնով, եթե չափերը պետք է ճիշտ լինեն։</numerusform>
-        <numerusform>Թերթը ճանաչվեց՝ %n նշիչ։ Դրանց կողմը մուտքագրվել է %1 մմ. չափեք մեկը քանոնով, եթե չափերը պետք է ճիշտ լինեն։</numerusform>
+        <numerusform>Թերթը ճանաչվեց՝ %n նշիչ։ Չափերը հիմնված են մուտքագրված նշիչի կողմի վրա՝ %1 մմ. ստուգեք այն թղթի վրա քանոնով։</numerusform>
+        <numerusform>Թերթը ճանաչվեց՝ %n նշիչ։ Չափերը հիմնված են մուտքագրված նշիչի կողմի վրա՝ %1 մմ. ստուգեք այն թղթի վրա քանոնով։</numerusform>
       </translation>
     </message>
 </context>
@@ -1572,6 +1572,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այլ հետևի երես …</translation>
     </message>
+    <message>
+      <source>by outline alone</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>միայն ըստ ուրվագծի</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1752,19 +1757,19 @@
       <translation>Պահել լուսանկարները</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ն արդեն ունի այս ֆայլերը. ոչինչ չի ներմուծվել։ Եթե այնուամենայնիվ ներմուծվեն, դրա բեկորները կատալոգում երկու անգամ կլինեն։</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ն արդեն ունի այս %3 ֆայլերից %2-ը. ոչինչ չի ներմուծվել։ Եթե այնուամենայնիվ ներմուծվեն, երկուսի բեկորներն էլ կատալոգում կլինեն. եթե դա չեք ուզում, հերթում %1-ը մի կողմ դրեք։</translation>
-    </message>
-    <message>
         <source>%1, %2 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1, %2 %</translation>
+    </message>
+    <message>
+      <source>%1 already has these files, so nothing was imported. If you import them anyway, its sherds appear twice in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն արդեն ունի այս ֆայլերը, ուստի ոչինչ չի ներմուծվել։ Եթե այնուամենայնիվ ներմուծեք դրանք, դրա բեկորները կատալոգում երկու անգամ կլինեն։</translation>
+    </message>
+    <message>
+      <source>%1 already has %2 of these %3 files, so nothing was imported. If you import them anyway, the catalogue holds the sherds of both batches; if you do not want that, set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն արդեն ունի այս %3 ֆայլերից %2-ը, ուստի ոչինչ չի ներմուծվել։ Եթե այնուամենայնիվ ներմուծեք դրանք, կատալոգում երկուսի բեկորներն էլ կլինեն. եթե դա չեք ուզում, հերթում %1-ը մի կողմ դրեք։</translation>
     </message>
 </context>
 <context>
@@ -2623,14 +2628,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բացել պանակը</translation>
     </message>
-    <message numerus="yes">
-      <source>The %n chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Կատալոգում ընտրված %n-ը</numerusform>
-        <numerusform>Կատալոգում ընտրված %n-ը</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2755,6 +2752,14 @@
       <source>Surfaces in the drawings</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մակերեսները գծանկարներում</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n selected sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Ընտրված %n բեկոր</numerusform>
+        <numerusform>Ընտրված %n բեկոր</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2898,11 +2903,6 @@
       <source>Search the manual</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փնտրել ձեռնարկում</translation>
-    </message>
-    <message>
-      <source>%1, line %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, տող %2</translation>
     </message>
     <message>
       <source>The manual does not mention &apos;%1&apos;.</source>
@@ -3675,11 +3675,6 @@
       <translation>Երկուսից մեկը միավորելու հետևի երես չունի։</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է ձեր անունով, բայց %1-ի և %2-ի կոտրվածքները հազիվ են հպվում՝ %3-ը։</translation>
-    </message>
-    <message>
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զույգի մասին կարելի է որոշել, երբ այն ցուցադրված է։</translation>
@@ -3688,6 +3683,11 @@
       <source>All pairs of this batch are decided.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս խմբաքանակի բոլոր զույգերը որոշված են։</translation>
+    </message>
+    <message>
+      <source>Saved. Check %1 – %2: only %3 of their fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահված է։ Ստուգեք %1 – %2. դրանց կոտրվածքների միայն %3-ն է հպվում։</translation>
     </message>
 </context>
 <context>
@@ -4891,11 +4891,6 @@
       <translation>&amp;Նախագծեր</translation>
     </message>
     <message>
-      <source>&amp;Open a project…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Բացել նախագիծ…</translation>
-    </message>
-    <message>
       <source>Try with the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փորձել վիրտուալ սարքակազմով</translation>
@@ -5015,11 +5010,6 @@
 %2-ը տեղում չէ. գտեք այն …</translation>
     </message>
     <message>
-      <source>Open</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բացել</translation>
-    </message>
-    <message>
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enter</translation>
@@ -5073,6 +5063,16 @@
         <source>Where to put the project: an empty folder, or one for a new folder</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Որտեղ դնել նախագիծը՝ դատարկ պանակում, կամ պանակում, ուր կստեղծվի նորը</translation>
+    </message>
+    <message>
+      <source>&amp;Open from folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Բացել պանակից…</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բացել նախագիծը</translation>
     </message>
 </context>
 <context>
@@ -5294,11 +5294,6 @@
       <translation>Այս համակարգչի վերջին համարը</translation>
     </message>
     <message>
-      <source>Left out so far</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առայժմ բաց թողնված</translation>
-    </message>
-    <message>
       <source>N&amp;umbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Համարակալում</translation>
@@ -5327,11 +5322,6 @@
       </translation>
     </message>
     <message>
-      <source>no number</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ոչ մի համար</translation>
-    </message>
-    <message>
       <source>to</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>մինչև</translation>
@@ -5350,6 +5340,16 @@
       <source>Use this &amp;numbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այսուհետև &amp;այսպես համարակալել</translation>
+    </message>
+    <message>
+      <source>Skipped numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաց թողնված համարներ</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>չկան</translation>
     </message>
 </context>
 <context>

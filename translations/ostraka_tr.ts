@@ -230,11 +230,6 @@
       <translation>arka yüz</translation>
     </message>
     <message>
-      <source>reason voided</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>geçersiz, çünkü</translation>
-    </message>
-    <message>
       <source>minimum thickness, mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>en az kalınlık, mm</translation>
@@ -469,6 +464,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>anlam</translation>
     </message>
+    <message>
+      <source>reason for voiding</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geçersiz sayma nedeni</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -561,16 +561,6 @@
       <translation>Kameralar bulunuyor</translation>
     </message>
     <message>
-      <source>Telling sherds from background, front</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parçalar arka plandan ayrılıyor, ön</translation>
-    </message>
-    <message>
-      <source>Telling sherds from background, back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parçalar arka plandan ayrılıyor, arka</translation>
-    </message>
-    <message>
       <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Biçim ölçülüyor, ön</translation>
@@ -619,6 +609,16 @@
       <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kuşkulu çiftler için başka eşler aranıyor</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, front</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçalar bulunuyor, ön</translation>
+    </message>
+    <message>
+      <source>Finding the sherds, back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçalar bulunuyor, arka</translation>
     </message>
 </context>
 <context>
@@ -1061,11 +1061,6 @@
       <translation>Kırıklar karşılaştırılamıyor; bu yüzleri yalnız dış çizgiler bağlıyor.</translation>
     </message>
     <message>
-      <source>The fractures barely touch: %1 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kırıklar pek değmiyor: değen pay %1.</translation>
-    </message>
-    <message>
       <source>refined</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>oturtuldu</translation>
@@ -1140,6 +1135,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ± %2</translation>
     </message>
+    <message>
+      <source>Only %1 of the fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kırıkların yalnızca %1 kadarı birbirine değiyor.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1154,10 +1154,10 @@
       <translation>Kopya yerine konamıyor: %1.</translation>
     </message>
     <message numerus="yes">
-      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <source>Sheet recognised: %n marker(s). Sizes follow from the marker side that was typed, %1 mm; check it on the paper with a ruler.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
-        <numerusform>Sayfa tanındı: %n işaret. Kenarı %1 mm olarak yazıldı; boyutların doğru olması gerekiyorsa birini cetvelle ölçün.</numerusform>
+        <numerusform>Sayfa tanındı: %n işaret. Boyutlar, yazılan %1 mm işaret kenarına dayanır; kâğıt üzerinde cetvelle denetleyin.</numerusform>
       </translation>
     </message>
 </context>
@@ -1556,6 +1556,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka arka yüz …</translation>
     </message>
+    <message>
+      <source>by outline alone</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yalnızca dış hatta göre</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureFoot</name>
@@ -1735,19 +1740,19 @@
       <translation>Fotoğrafları tut</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 bu dosyalara zaten sahip; hiçbir şey içe aktarılmadı. Yine de içe aktarılırsa parçaları katalogda iki kez yer alır.</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 bu %3 dosyadan %2 tanesine zaten sahip; hiçbir şey içe aktarılmadı. Yine de içe aktarılırsa ikisinin parçaları da katalogda yer alır; bunu istemiyorsanız %1 partisini sırada kenara ayırın.</translation>
-    </message>
-    <message>
         <source>%1, %2 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1, %2 %</translation>
+    </message>
+    <message>
+      <source>%1 already has these files, so nothing was imported. If you import them anyway, its sherds appear twice in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 bu dosyalara zaten sahip, bu yüzden hiçbir şey içe aktarılmadı. Yine de içe aktarırsanız parçaları katalogda iki kez yer alır.</translation>
+    </message>
+    <message>
+      <source>%1 already has %2 of these %3 files, so nothing was imported. If you import them anyway, the catalogue holds the sherds of both batches; if you do not want that, set %1 aside in the queue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 bu %3 dosyadan %2 tanesine zaten sahip, bu yüzden hiçbir şey içe aktarılmadı. Yine de içe aktarırsanız katalogda ikisinin parçaları da yer alır; bunu istemiyorsanız %1 partisini sırada kenara ayırın.</translation>
     </message>
 </context>
 <context>
@@ -2592,13 +2597,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasörü aç</translation>
     </message>
-    <message numerus="yes">
-      <source>The %n chosen in the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Katalogda seçilen %n parça</numerusform>
-      </translation>
-    </message>
     <message>
       <source>Drawings for print (SVG and PDF)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2723,6 +2721,13 @@
       <source>Surfaces in the drawings</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizimlerdeki yüzeyler</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n selected sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Seçilen %n parça</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -2864,11 +2869,6 @@
       <source>Search the manual</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kılavuzda ara</translation>
-    </message>
-    <message>
-      <source>%1, line %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, satır %2</translation>
     </message>
     <message>
       <source>The manual does not mention &apos;%1&apos;.</source>
@@ -3634,11 +3634,6 @@
       <translation>İkisinden birinin birleştirilecek arka yüzü yok.</translation>
     </message>
     <message>
-      <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Adınızla kaydedildi; ama %1 ile %2 kırıkları pek değmiyor: değen pay %3.</translation>
-    </message>
-    <message>
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir eş hakkında, gösterildiğinde karar verilebilir.</translation>
@@ -3647,6 +3642,11 @@
       <source>All pairs of this batch are decided.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu partinin bütün çiftlerine karar verildi.</translation>
+    </message>
+    <message>
+      <source>Saved. Check %1 – %2: only %3 of their fractures touch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. %1 – %2 çiftini denetleyin: kırıklarının yalnızca %3 kadarı birbirine değiyor.</translation>
     </message>
 </context>
 <context>
@@ -4845,11 +4845,6 @@
       <translation>&amp;Projeler</translation>
     </message>
     <message>
-      <source>&amp;Open a project…</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Proje &amp;aç…</translation>
-    </message>
-    <message>
       <source>Try with the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sanal düzenekle dene</translation>
@@ -4969,11 +4964,6 @@
 %2 yerinde yok: bulun …</translation>
     </message>
     <message>
-      <source>Open</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aç</translation>
-    </message>
-    <message>
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enter</translation>
@@ -5027,6 +5017,16 @@
         <source>Where to put the project: an empty folder, or one for a new folder</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Projenin yeri: boş bir klasör ya da içinde yeni klasör açılacak bir klasör</translation>
+    </message>
+    <message>
+      <source>&amp;Open from folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Klasörden aç…</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projeyi aç</translation>
     </message>
 </context>
 <context>
@@ -5247,11 +5247,6 @@
       <translation>Bu bilgisayarın son numarası</translation>
     </message>
     <message>
-      <source>Left out so far</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Şimdiye dek atlananlar</translation>
-    </message>
-    <message>
       <source>N&amp;umbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>N&amp;umaralama</translation>
@@ -5279,11 +5274,6 @@
       </translation>
     </message>
     <message>
-      <source>no number</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>hiçbir numara</translation>
-    </message>
-    <message>
       <source>to</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ila</translation>
@@ -5302,6 +5292,16 @@
       <source>Use this &amp;numbering</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Artık böyle numarala</translation>
+    </message>
+    <message>
+      <source>Skipped numbers</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Atlanan numaralar</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yok</translation>
     </message>
 </context>
 <context>

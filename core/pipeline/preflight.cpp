@@ -57,6 +57,21 @@ std::string missingProgram(const batch::Batch& batch, const ProcessOptions& opti
   return {};
 }
 
+std::string counted(std::size_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
+// "from 3 cameras at 8 positions"; a camera that is held by hand has no place of its own.
+std::string waysOfTaking(const batch::Batch& batch) {
+  if (batch.way == batch::Way::FreeCamera) return "taken by hand";
+  std::set<int> cameras, stops;
+  for (const batch::Shot& shot : batch.shots) {
+    cameras.insert(shot.camera);
+    stops.insert(shot.stop);
+  }
+  return "from " + counted(cameras.size(), "camera") + " at " + counted(stops.size(), "position");
+}
+
 }  // namespace
 
 double maskMegapixels(const ProcessOptions& options, const batch::Batch& batch) {
@@ -102,16 +117,10 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
                                missing),
                  batch.folder.string()};
   Preflight ahead{needsOf(batch, options, free_memory_mb), {}, {}};
-  std::set<int> cameras, stops;
-  for (const batch::Shot& shot : batch.shots) {
-    cameras.insert(shot.camera);
-    stops.insert(shot.stop);
-  }
   const int fronts = countOf(batch, batch::Side::Front), backs = countOf(batch, batch::Side::Back);
   ahead.lines.push_back(
       "before: photographs: " + std::to_string(fronts) + " of the front, " + std::to_string(backs) +
-      " of the back, from " + std::to_string(cameras.size()) + " cameras at " +
-      std::to_string(stops.size()) + " positions; " +
+      " of the back, " + waysOfTaking(batch) + "; " +
       formatted("%.1f megapixels, used with %.1f", largestMegapixels(batch), ahead.megapixels));
   ahead.lines.push_back(std::string("before: cameras: ") +
                         (!batch.plate  ? "found by COLMAP"

@@ -30,6 +30,19 @@ rig::PosedImage coarsely(rig::PosedImage image) {
   return image;
 }
 
+// The log names the stage that asks for coarse stereo, as the window does.
+class NotesOfMasks final : public Progress {
+ public:
+  explicit NotesOfMasks(Progress& outer) : outer_(outer) {}
+  void report(std::int64_t done, std::int64_t total) override { outer_.report(done, total); }
+  void note(NoteLevel level, const Message& text) override {
+    outer_.note(level, "masks: " + text.english());
+  }
+
+ private:
+  Progress& outer_;
+};
+
 // Where a photograph shows the box, 255.
 cv::Mat1b sightOf(const Eigen::AlignedBox3d& box, const rig::PosedImage& image) {
   cv::Mat1b sight(image.intrinsics.height, image.intrinsics.width, uchar{0});
@@ -77,7 +90,8 @@ Result<std::vector<cv::Mat1b>> shownOn(const Ground& ground,
   options.bounds = bounds;
   options.max_sources = kSources;
   options.max_sources_per_pixel = kSourcesPerPixel;
-  const Result<stereo::Reconstruction> coarse = stereo::reconstruct(views, options, progress, stop);
+  NotesOfMasks masks(progress);
+  const Result<stereo::Reconstruction> coarse = stereo::reconstruct(views, options, masks, stop);
   if (!coarse) return coarse.error();
   const std::vector<float> heights = mask::heightsAbove(coarse->cloud, ground.bend);
   const double least = mask::leastRaised(heights, kGroundThickness * reach);

@@ -28,9 +28,10 @@ constexpr Names kOfSherds[] = {
      "uuid|identifier|id ostraka|Kennung|identifiant|identificador|ταυτότητα|kimlik|"
      "նույնացուցիչ"},
     {"void_reason",
-     "void because|reason voided|Grund der Ungültigkeit|ungültig, weil|annulé parce que|anulado "
-     "porque|"
-     "άκυρο επειδή|geçersiz, çünkü|անվավեր է, քանի որ"},
+     "void because|reason for voiding|reason voided|Grund der Ungültigkeit|ungültig, weil|raison "
+     "de l’annulation|annulé parce que|motivo de la anulación|anulado porque|λόγος ακύρωσης|"
+     "άκυρο επειδή|geçersiz sayma nedeni|geçersiz, çünkü|անվավեր ճանաչելու պատճառ|"
+     "անվավեր է, քանի որ"},
     {"site",
      "site|site code|Fundort|Fundstelle|Grabung|chantier|yacimiento|sitio|θέση|ανασκαφή|"
      "alan|yerleşim|kazı yeri|հուշարձան|հնավայր"},

@@ -29,12 +29,12 @@ void CaptureScreen::buildTwice() {
             twice_->showWords(
                 folder,
                 there == files
-                    ? tr("%1 has these files already; nothing was imported. Imported anyway, its "
-                         "sherds are in the catalogue twice.")
+                    ? tr("%1 already has these files, so nothing was imported. If you import "
+                         "them anyway, its sherds appear twice in the catalogue.")
                           .arg(number)
-                    : tr("%1 has %2 of these %3 files already; nothing was imported. Imported "
-                         "anyway, the sherds of both are in the catalogue; set %1 aside in the "
-                         "queue unless you want that.")
+                    : tr("%1 already has %2 of these %3 files, so nothing was imported. If you "
+                         "import them anyway, the catalogue holds the sherds of both batches; if "
+                         "you do not want that, set %1 aside in the queue.")
                           .arg(number)
                           .arg(there)
                           .arg(files),

@@ -271,7 +271,7 @@ void ExportScreen::refresh() {
   chosen_->setChecked(selection.what == What::Chosen);
   archive_->setChecked(model_.isArchive());
   chosen_->setText(selection.chosen.empty() ? tr("Selected sherds")
-                                            : tr("The %n chosen in the catalogue", nullptr,
+                                            : tr("%n selected sherd(s)", nullptr,
                                                  static_cast<int>(selection.chosen.size())));
   chosen_->setEnabled(!selection.chosen.empty());
   if (!filter_->hasFocus()) filter_->setText(selection.filter);

@@ -55,7 +55,7 @@ std::filesystem::path PlateScreen::outputOf(const QString& batch) const {
 
 void PlateScreen::say(const QString& sentence) {
   message_->setText(sentence);
-  emit said(sentence);
+  if (!isVisible()) emit said(sentence);  // once: the status bar only tells what is out of sight
 }
 
 }  // namespace ostraka::ui

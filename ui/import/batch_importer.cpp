@@ -19,8 +19,8 @@ QString noteOn(const Imported& copied) {
   if (!copied.found_sheet) return {};
   const QLocale locale;
   return BatchImporter::tr(
-             "The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure "
-             "one with a ruler if sizes must be right.",
+             "Sheet recognised: %n marker(s). Sizes follow from the marker side that was typed, %1 "
+             "mm; check it on the paper with a ruler.",
              nullptr, static_cast<int>(copied.found_sheet->markers.size()))
       .arg(locale.toString(copied.found_sheet->typed_marker_mm.value_or(0), 'g',
                            QLocale::FloatingPointShortest));

@@ -9,12 +9,15 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSet>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QUrlQuery>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "ui/look/look.h"
 #include "ui/widgets/page_acts.h"
@@ -61,6 +64,92 @@ bool isOfAnInnerScreen(const QAction& action,
   });
 }
 
+// How much a word counts in a title, a heading and the text below.
+constexpr double kInTitle = 9, kInHeading = 3, kInText = 1;
+
+std::vector<ManualLine> linesOfManual() {
+  std::vector<ManualLine> lines;
+  for (const QString& name :
+       QDir(QStringLiteral(":/manual")).entryList({QStringLiteral("*.html")})) {
+    QFile file(QStringLiteral(":/manual/") + name);
+    if (!file.open(QIODevice::ReadOnly)) continue;
+    QTextDocument page;
+    page.setHtml(QString::fromUtf8(file.readAll()));
+    const QString title = page.metaInformation(QTextDocument::DocumentTitle);
+    QString heading;
+    for (QTextBlock block = page.begin(); block.isValid(); block = block.next()) {
+      const int level = block.blockFormat().headingLevel();
+      if (level > 1) heading = block.text();
+      const double weight = level == 1 ? kInTitle : level > 1 ? kInHeading : kInText;
+      lines.push_back({name, title, heading, block.text(), block.blockNumber(), weight});
+    }
+  }
+  return lines;
+}
+
+// A word is found by its beginning, one of a letter or two only as a whole.
+QRegularExpression wholeOrBegun(const QString& word) {
+  constexpr int kShort = 2;
+  return QRegularExpression(
+      QStringLiteral("(?<!\\w)") + QRegularExpression::escape(word) +
+          (word.size() <= kShort ? QStringLiteral("(?!\\w)") : QString()),
+      QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+}
+
+// Of a page: by word, how much it counts where it counts most; and the line that has most of them.
+struct FoundPage {
+  std::vector<double> weights;
+  const ManualLine* best = nullptr;
+  double best_rarity = 0, score = 0;
+  qsizetype words = 0;
+};
+
+std::vector<const ManualLine*> foundIn(const std::vector<ManualLine>& lines,
+                                       const QStringList& words) {
+  const auto count = static_cast<std::size_t>(words.size());
+  std::map<QString, FoundPage> pages;
+  std::vector<std::vector<std::size_t>> found(lines.size());  // by line: which of the words
+  for (std::size_t w = 0; w < count; ++w) {
+    const QRegularExpression word = wholeOrBegun(words[static_cast<qsizetype>(w)]);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      FoundPage& page = pages[lines[i].page];
+      page.weights.resize(count);
+      if (!word.match(lines[i].text).hasMatch()) continue;
+      found[i].push_back(w);
+      page.weights[w] = std::max(page.weights[w], lines[i].weight);
+    }
+  }
+  std::vector<double> rarity(count);
+  for (std::size_t w = 0; w < count; ++w) {
+    const auto with = std::count_if(pages.begin(), pages.end(),
+                                    [w](const auto& page) { return page.second.weights[w] > 0; });
+    rarity[w] = std::log(static_cast<double>(pages.size() + 1) / static_cast<double>(with + 1));
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    FoundPage& page = pages[lines[i].page];
+    double of_line = 0;
+    for (const std::size_t w : found[i]) of_line += rarity[w];
+    if (found[i].empty() || (page.best != nullptr && of_line <= page.best_rarity)) continue;
+    page.best = &lines[i];
+    page.best_rarity = of_line;
+  }
+  std::vector<const FoundPage*> ranked;
+  for (auto& [name, page] : pages) {
+    for (std::size_t w = 0; w < count; ++w) {
+      page.score += rarity[w] * page.weights[w];
+      if (page.weights[w] > 0) ++page.words;
+    }
+    if (page.best != nullptr) ranked.push_back(&page);
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const FoundPage* a, const FoundPage* b) {
+    return std::pair(a->words, a->score) > std::pair(b->words, b->score);
+  });
+  std::vector<const ManualLine*> best;
+  for (const FoundPage* page : ranked)
+    if (page->words == ranked.front()->words) best.push_back(page->best);
+  return best;
+}
+
 }  // namespace
 
 HelpPage::HelpPage(QWidget* parent)
@@ -89,6 +178,7 @@ HelpPage::HelpPage(QWidget* parent)
           &HelpPage::showAbout);
   search_->setPlaceholderText(tr("Search the manual"));
   search_->setClearButtonEnabled(true);
+  connect(search_, &QLineEdit::textEdited, this, &HelpPage::showFound);
   connect(search_, &QLineEdit::returnPressed, this, &HelpPage::showFound);
   connect(text_, &QTextBrowser::sourceChanged, this, &HelpPage::showHit);
   bar->addWidget(search_, 1);
@@ -111,35 +201,21 @@ void HelpPage::showManual(const QString& page) {
   text_->setFocus();
 }
 
-// Each line that has all the words; it leads to the first of them there.
+// The pages that have the most of the words, those first that name the rarest in titles and
+// headings; each with the passage that has most of them.
 void HelpPage::showFound() {
   const QStringList words =
       search_->text().simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
   if (words.isEmpty()) return;
   note_->setVisible(!note_->text().isEmpty());
+  if (lines_.empty()) lines_ = linesOfManual();
   QString rows;
-  for (const QString& name :
-       QDir(QStringLiteral(":/manual")).entryList({QStringLiteral("*.html")})) {
-    QFile file(QStringLiteral(":/manual/") + name);
-    if (!file.open(QIODevice::ReadOnly)) continue;
-    QTextDocument page;
-    page.setHtml(QString::fromUtf8(file.readAll()));
-    qsizetype hits = 0;
-    for (QTextBlock line = page.begin(); line.isValid(); line = line.next()) {
-      const QString text = line.text();
-      const bool has = std::all_of(words.begin(), words.end(), [&](const QString& word) {
-        return text.contains(word, Qt::CaseInsensitive);
-      });
-      if (has)
-        rows += QStringLiteral("<p><a href=\"qrc:/manual/%1?hit=%2\">%3</a><br>%4</p>")
-                    .arg(name, QString::number(hits),
-                         tr("%1, line %2")
-                             .arg(page.metaInformation(QTextDocument::DocumentTitle))
-                             .arg(line.blockNumber() + 1)
-                             .toHtmlEscaped(),
-                         text.toHtmlEscaped());
-      hits += text.count(words.front(), Qt::CaseInsensitive);
-    }
+  for (const ManualLine* line : foundIn(lines_, words)) {
+    QString where = line->title;
+    if (!line->heading.isEmpty()) where += QStringLiteral(": ") + line->heading;
+    rows += QStringLiteral("<p><a href=\"qrc:/manual/%1?block=%2\">%3</a><br>%4</p>")
+                .arg(line->page, QString::number(line->block), where.toHtmlEscaped(),
+                     line->text.toHtmlEscaped());
   }
   if (rows.isEmpty())
     rows = QStringLiteral("<p>%1</p>")
@@ -150,10 +226,19 @@ void HelpPage::showFound() {
 }
 
 void HelpPage::showHit(const QUrl& page) {
-  const QString hit = QUrlQuery(page).queryItemValue(QStringLiteral("hit"));
-  const QString word = search_->text().simplified().section(QLatin1Char(' '), 0, 0);
-  if (hit.isEmpty() || word.isEmpty()) return;
-  for (int i = 0; i <= hit.toInt() && text_->find(word);) ++i;
+  const QString block = QUrlQuery(page).queryItemValue(QStringLiteral("block"));
+  if (block.isEmpty()) return;
+  const QTextBlock found = text_->document()->findBlockByNumber(block.toInt());
+  QTextCursor at(found);
+  for (const QString& word : search_->text().simplified().split(QLatin1Char(' ')))
+    if (const auto match = wholeOrBegun(word).match(found.text()); match.hasMatch()) {
+      at.setPosition(found.position() + static_cast<int>(match.capturedStart()));
+      at.setPosition(found.position() + static_cast<int>(match.capturedEnd()),
+                     QTextCursor::KeepAnchor);
+      break;
+    }
+  text_->setTextCursor(at);
+  text_->ensureCursorVisible();
 }
 
 void HelpPage::showShortcuts(const std::vector<std::pair<QString, const QWidget*>>& screens) {
@@ -161,16 +246,22 @@ void HelpPage::showShortcuts(const std::vector<std::pair<QString, const QWidget*
   QString html = QStringLiteral("<h1>%1</h1>").arg(tr("All keys").toHtmlEscaped());
   QSet<const QAction*> listed;
   for (const auto& [title, screen] : screens) {
-    QString rows;
+    std::vector<std::pair<QString, QStringList>> keys;  // one key does one thing at a time
     for (const QAction* action : screen->findChildren<QAction*>()) {
       if (action->shortcut().isEmpty() || action->text().isEmpty() || listed.contains(action) ||
           isOfAnInnerScreen(*action, screens, screen))
         continue;
       listed.insert(action);
-      rows += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
-                  .arg(keyText(action->shortcut()).toHtmlEscaped(),
-                       action->text().remove(QLatin1Char('&')).toHtmlEscaped());
+      const QString key = keyText(action->shortcut());
+      auto at = std::find_if(keys.begin(), keys.end(),
+                             [&key](const auto& other) { return other.first == key; });
+      if (at == keys.end()) at = keys.insert(keys.end(), {key, {}});
+      at->second << action->text().remove(QLatin1Char('&'));
     }
+    QString rows;
+    for (const auto& [key, texts] : keys)
+      rows += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
+                  .arg(key.toHtmlEscaped(), texts.join(QStringLiteral(" / ")).toHtmlEscaped());
     if (!rows.isEmpty())
       html += QStringLiteral("<h2>%1</h2><table cellpadding=4>%2</table>")
                   .arg(title.toHtmlEscaped(), rows);

@@ -1,4 +1,5 @@
 #pragma once
+#include <QString>
 #include <QWidget>
 #include <utility>
 #include <vector>
@@ -8,6 +9,15 @@ class QLineEdit;
 class QTextBrowser;
 
 namespace ostraka::ui {
+
+/// A paragraph, list item, cell or heading of the manual.
+struct ManualLine {
+  QString page, title;  ///< its file's name, and how the page is called
+  QString heading;      ///< the last one above it, or itself; empty: none but the title
+  QString text;
+  int block;      ///< its number in the page
+  double weight;  ///< how much a word that is searched for counts here
+};
 
 /// The manual with a search, the sheet of shortcuts and 'about', as pages of the window; all
 /// offline.
@@ -29,6 +39,7 @@ class HelpPage final : public QWidget {
   void showFound();
   void showHit(const QUrl& page);
 
+  std::vector<ManualLine> lines_;  ///< of the whole manual, once it was searched
   QTextBrowser* text_;
   QLineEdit* search_;
   QLabel* note_;  ///< above the manual: in which language it is

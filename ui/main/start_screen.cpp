@@ -121,11 +121,11 @@ QWidget* StartScreen::buildRecent() {
                  box);
   no_recent_->setWordWrap(true);
   no_recent_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  open_ = new BigButton(QStringLiteral("openChosen"), tr("Open"), box);
+  open_ = new BigButton(QStringLiteral("openChosen"), tr("Open project"), box);
   open_->setKeyHint(tr("Enter"));
   connect(open_, &QPushButton::clicked, this, &StartScreen::openChosen);
   connect(recent_, &QListWidget::currentRowChanged, this, &StartScreen::follow);
-  QPushButton* open = iconButton(box, "openProject", "open", tr("&Open a project…"));
+  QPushButton* open = iconButton(box, "openProject", "open", tr("&Open from folder…"));
   QPushButton* restore = iconButton(box, "restoreArchive", "folder", tr("&Restore an archive…"));
   photographs_ = new BigButton(QStringLiteral("startPhotographs"), tr("Import photographs…"), box);
   photographs_->setToolTip(tr("Creates a project named after their folder"));

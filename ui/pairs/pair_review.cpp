@@ -139,8 +139,7 @@ void PairReview::accept() {
   decide(decision, tr("pair %1 – %2").arg(front, back));
   if (batch_.decisions().size() > before && hardly_meets)
     emit failed(
-        tr("Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.")
-            .arg(front, back, meeting));
+        tr("Saved. Check %1 – %2: only %3 of their fractures touch.").arg(front, back, meeting));
 }
 
 void PairReview::setAside() {

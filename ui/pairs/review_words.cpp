@@ -160,7 +160,7 @@ State stateColour(CardState state) {
 }
 
 QString hardlyMeetSentence(const review::LiveFit& fit) {
-  return tr("The fractures barely touch: %1 of them.").arg(percent(fit.fracture_overlap));
+  return tr("Only %1 of the fractures touch.").arg(percent(fit.fracture_overlap));
 }
 
 QString madeWord(Made made) {

@@ -117,10 +117,8 @@ QString stageWords(const QString& stage) {
   };
   static constexpr Words kStages[] = {
       {"cameras", QT_TRANSLATE_NOOP("Stage", "Finding the cameras")},
-      {"masks of the front side",
-       QT_TRANSLATE_NOOP("Stage", "Telling sherds from background, front")},
-      {"masks of the back side",
-       QT_TRANSLATE_NOOP("Stage", "Telling sherds from background, back")},
+      {"masks of the front side", QT_TRANSLATE_NOOP("Stage", "Finding the sherds, front")},
+      {"masks of the back side", QT_TRANSLATE_NOOP("Stage", "Finding the sherds, back")},
       {"stereo of the front side", QT_TRANSLATE_NOOP("Stage", "Measuring the shape, front")},
       {"stereo of the back side", QT_TRANSLATE_NOOP("Stage", "Measuring the shape, back")},
       {"scans of the front side", QT_TRANSLATE_NOOP("Stage", "Cutting the sherds out, front")},

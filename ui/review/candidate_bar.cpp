@@ -74,7 +74,9 @@ void CandidateBar::write(int i) {
                                                : 0;
   const QString back = nameOf(table.backs, c.back);
   const QString score = tried ? madeWord(hand_.trial().made) : scoreWords(c.score);
-  QString second = fracture > 0 ? tr("gap %1").arg(mm(fracture)) : tr("no contact");
+  QString second = fracture > 0 ? tr("gap %1").arg(mm(fracture))
+                   : tried      ? tr("no contact")
+                                : tr("by outline alone");
   const int holder = review_.batch().holderOf(c.back);
   if (holder >= 0 && holder != hand_.front())
     second = tr("%1, with %2").arg(second, nameOf(table.fronts, holder));

@@ -62,7 +62,7 @@ void NumberingEdit::buildLayout() {
   if (auto* label = qobject_cast<QLabel*>(form->labelForField(block))) label->setBuddy(first_);
   form->addRow(QString(), told_);
   form->addRow(QString(), apply_);
-  form->addRow(tr("Left out so far"), gaps_);
+  form->addRow(tr("Skipped numbers"), gaps_);
   alignForm(*form);
 }
 
@@ -95,7 +95,7 @@ void NumberingEdit::showGaps() {
   QStringList lines = model_->gaps().mid(0, kGapLines);
   if (const auto more = model_->gaps().size() - lines.size(); more > 0)
     lines << tr("and in %n more context(s)", nullptr, static_cast<int>(more));
-  gaps_->setText(lines.isEmpty() ? tr("no number") : lines.join(QLatin1Char('\n')));
+  gaps_->setText(lines.isEmpty() ? tr("none") : lines.join(QLatin1Char('\n')));
 }
 
 void NumberingEdit::apply() {

@@ -30,7 +30,7 @@ const char* labelOf(const QString& field) {
       {"number", QT_TRANSLATE_NOOP("Fields", "number")},
       {"uuid", QT_TRANSLATE_NOOP("Fields", "identifier")},
       {"state", QT_TRANSLATE_NOOP("Fields", "state")},
-      {"void_reason", QT_TRANSLATE_NOOP("Fields", "reason voided")},
+      {"void_reason", QT_TRANSLATE_NOOP("Fields", "reason for voiding")},
       {"site", QT_TRANSLATE_NOOP("Fields", "site")},
       {"trench", QT_TRANSLATE_NOOP("Fields", "trench")},
       {"context", QT_TRANSLATE_NOOP("Fields", "context")},

@@ -31,10 +31,20 @@ TEST(Preflight, SaysWhatThereIsAndWhatItWillTake) {
   EXPECT_NEAR(ahead->memory_mb, 4030, 400);
   EXPECT_NEAR(preflight(batchOf(1600, 1200), {}, 0)->memory_mb, 1590, 160);
   ASSERT_EQ(ahead->lines.size(), 3u);
-  EXPECT_THAT(ahead->lines[0], HasSubstr("24 of the front, 24 of the back, from 3 cameras at 8"));
+  EXPECT_THAT(ahead->lines[0],
+              HasSubstr("24 of the front, 24 of the back, from 3 cameras at 8 positions; "));
   EXPECT_THAT(ahead->lines[1], HasSubstr("from the plate's markers alone"));
   EXPECT_THAT(ahead->lines[2], HasSubstr("8.0 GB are free; time: about 19 minutes of one core"));
   EXPECT_TRUE(ahead->warnings.empty());
+}
+
+TEST(Preflight, CountsCamerasAndPositionsOnlyWhereTheCamerasStand) {
+  EXPECT_THAT(preflight(batchOf(2592, 1944, 1), {}, 0)->lines[0],
+              HasSubstr("3 of the front, 3 of the back, from 3 cameras at 1 position; "));
+  batch::Batch by_hand = batchOf(2592, 1944, 1);
+  by_hand.way = batch::Way::FreeCamera;
+  EXPECT_THAT(preflight(by_hand, {}, 0)->lines[0],
+              HasSubstr("3 of the front, 3 of the back, taken by hand; "));
 }
 
 TEST(Preflight, NamesTheFileThatDescribesTheSheetWhereverItLies) {

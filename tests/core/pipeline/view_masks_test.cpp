@@ -1,15 +1,25 @@
 #include "pipeline/view_masks.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <vector>
 
 #include "mask/coarse_heights.h"
 
 namespace ostraka::pipeline {
 namespace {
+
+using testing::Each, testing::IsEmpty, testing::Not, testing::StartsWith;
+
+struct Notes final : Progress {
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel, const Message& text) override { lines.push_back(text.english()); }
+  std::vector<std::string> lines;
+};
 
 // 255 where a pixel looks at the sheet, or at what stands before it.
 cv::Mat1b sheetIn(const rig::PosedImage& image, const Eigen::AlignedBox2d& sheet, cv::Size size) {
@@ -41,9 +51,11 @@ TEST(ShownOnAPrintedSheet, IsSherdAndHardlyEverPaper) {
     photographs.push_back(cv::imread((folder / image.file).string(),
                                      cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION));
   }
-  QuietProgress quiet;
-  const auto shown = shownOn({*plate->sheet, {}, true}, images, photographs, 2, quiet, {});
+  Notes notes;
+  const auto shown = shownOn({*plate->sheet, {}, true}, images, photographs, 2, notes, {});
   ASSERT_TRUE(shown.has_value()) << shown.error().sentence();
+  EXPECT_THAT(notes.lines, Not(IsEmpty()));
+  EXPECT_THAT(notes.lines, Each(StartsWith("masks: ")));
   double sherd = 0, raised = 0, both = 0, ground = 0, wrong = 0;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const std::string name =

@@ -79,13 +79,13 @@ void CardSentencesTest::aPoseThatWasGivenByHandSaysSo() {
   shown().accept();
   QCOMPARE(cardOf(2).state, CardState::Decided);
   QCOMPARE(said.count(), 1);
-  QVERIFY2(said[0][0].toString().contains("barely touch: 0 %"), qPrintable(said[0][0].toString()));
+  QVERIFY2(said[0][0].toString().contains("only 0 % of their fractures"), qPrintable(said[0][0].toString()));
   const QString card =
       review_->cards().index(review_->cards().rowOf(2)).data(Qt::ToolTipRole).toString();
   QVERIFY2(card.startsWith("Decided by AP on") && card.contains("turned by hand"),
            qPrintable(card));
   review_->select(2);
-  QTRY_VERIFY2(review_->hand().reason().contains("barely touch"),
+  QTRY_VERIFY2(review_->hand().reason().contains("Only 0 % of the fractures"),
                qPrintable(review_->hand().reason()));
   shown().accept();  // once more: the pose stands as it was given
   QCOMPARE(onDisk().back().settle, decisions::Settle::AsGiven);

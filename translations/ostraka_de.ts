@@ -10614,11 +10614,6 @@
         <translation>Einheit aus den Werten erschlossen; bitte prüfen</translation>
     </message>
     <message>
-        <source>by its name</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>nach ihrem Namen</translation>
-    </message>
-    <message>
         <source>as in the last table with these columns</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>wie in der letzten Tabelle mit diesen Spalten</translation>
@@ -10682,6 +10677,11 @@
         <source>no field of this name; kept as a custom field</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>kein Feld dieses Namens; als eigenes Feld behalten</translation>
+    </message>
+    <message>
+      <source>proposed by its heading</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nach der Überschrift vorgeschlagen</translation>
     </message>
 </context>
 <context>

@@ -10614,11 +10614,6 @@
         <translation>η μονάδα συνάγεται από τις τιμές· ελέγξτε την</translation>
     </message>
     <message>
-        <source>by its name</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>από το όνομά της</translation>
-    </message>
-    <message>
         <source>as in the last table with these columns</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>όπως στον τελευταίο πίνακα με αυτές τις στήλες</translation>
@@ -10682,6 +10677,11 @@
         <source>no field of this name; kept as a custom field</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>κανένα πεδίο με αυτό το όνομα· διατηρείται ως δικό σας πεδίο</translation>
+    </message>
+    <message>
+      <source>proposed by its heading</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>προτείνεται από την επικεφαλίδα</translation>
     </message>
 </context>
 <context>

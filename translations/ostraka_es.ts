@@ -10614,11 +10614,6 @@
         <translation>unidad deducida de los valores; compruébela</translation>
     </message>
     <message>
-        <source>by its name</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>por su nombre</translation>
-    </message>
-    <message>
         <source>as in the last table with these columns</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>como en la última tabla con estas columnas</translation>
@@ -10682,6 +10677,11 @@
         <source>no field of this name; kept as a custom field</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>ningún campo con este nombre; se conserva como campo propio</translation>
+    </message>
+    <message>
+      <source>proposed by its heading</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>propuesto por su encabezado</translation>
     </message>
 </context>
 <context>

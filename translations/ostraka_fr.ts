@@ -10614,11 +10614,6 @@
         <translation>unité déduite des valeurs ; vérifiez-la</translation>
     </message>
     <message>
-        <source>by its name</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>d’après son nom</translation>
-    </message>
-    <message>
         <source>as in the last table with these columns</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>comme dans le dernier tableau ayant ces colonnes</translation>
@@ -10682,6 +10677,11 @@
         <source>no field of this name; kept as a custom field</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>aucun champ de ce nom ; gardé comme champ personnel</translation>
+    </message>
+    <message>
+      <source>proposed by its heading</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>proposé d’après l’en-tête</translation>
     </message>
 </context>
 <context>

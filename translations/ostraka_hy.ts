@@ -10614,11 +10614,6 @@
         <translation>միավորը ենթադրվել է արժեքներից. ստուգեք այն</translation>
     </message>
     <message>
-        <source>by its name</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>ըստ անվան</translation>
-    </message>
-    <message>
         <source>as in the last table with these columns</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>ինչպես այս սյունակներով վերջին աղյուսակում</translation>
@@ -10682,6 +10677,11 @@
         <source>no field of this name; kept as a custom field</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>այս անունով դաշտ չկա. պահվում է որպես սեփական դաշտ</translation>
+    </message>
+    <message>
+      <source>proposed by its heading</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առաջարկված է ըստ վերնագրի</translation>
     </message>
 </context>
 <context>

@@ -10566,11 +10566,6 @@
         <translation>birim değerlerden tahmin edildi; denetleyin</translation>
     </message>
     <message>
-        <source>by its name</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>adına göre</translation>
-    </message>
-    <message>
         <source>as in the last table with these columns</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>bu sütunları olan son tablodaki gibi</translation>
@@ -10634,6 +10629,11 @@
         <source>no field of this name; kept as a custom field</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>bu adda alan yok; kendi alanınız olarak tutulur</translation>
+    </message>
+    <message>
+      <source>proposed by its heading</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>başlığına göre önerildi</translation>
     </message>
 </context>
 <context>

@@ -121,13 +121,13 @@ class Mapper {
       if (found == mapping_.columns.end())
         return Error::unusable(message("The table has no column '%1'; check its name.", one.column),
                                where_);
-      if (found->by != ChosenBy::Nobody) continue;
+      if (found->by != ChosenBy::Nobody || !found->field.empty()) continue;
       if (by == ChosenBy::Earlier && !one.field.empty() && isTaken(one.field)) continue;
       found->field = one.field;
       found->unit = one.unit;
       found->unit_guessed = one.unit_guessed && !one.unit.empty();  // seen, but not chosen
       found->unit_idle = one.unit_idle && !one.unit.empty();
-      found->by = by;
+      found->by = by == ChosenBy::Person ? one.by : by;  // a person also keeps what was proposed
     }
     return {};
   }
@@ -136,9 +136,9 @@ class Mapper {
     const std::string numbers = columnOfNumbers();
     mapping_.of_contexts = numbers.empty();
     for (ColumnChoice& choice : mapping_.columns)  // exact names come before other languages
-      if (choice.by == ChosenBy::Nobody) byExactName(choice);
+      if (isOpen(choice)) byExactName(choice);
     for (ColumnChoice& choice : mapping_.columns)
-      if (choice.by == ChosenBy::Nobody) byName(choice);
+      if (isOpen(choice)) byName(choice);
     if (mapping_.of_contexts) mapping_.missing = missing();
     if (mapping_.missing.empty())
       mapping_.kind =
@@ -151,6 +151,9 @@ class Mapper {
   }
 
  private:
+  static bool isOpen(const ColumnChoice& choice) {
+    return choice.by == ChosenBy::Nobody && choice.field.empty();
+  }
   // Empty: none has numbers or uuids.
   std::string columnOfNumbers() const {
     const auto& columns = mapping_.columns;

@@ -76,7 +76,7 @@ constexpr Names kOfSherds[] = {
      "decoration|decor|ornament|Verzierung|Dekor|décor|décoration|decoración|"
      "διακόσμηση|bezeme|süsleme|զարդ|զարդանախշ"},
     {"munsell_out",
-     "munsell outside|munsell exterior|munsell out|colour outside|color outside|"
+     "munsell|munsell outside|munsell exterior|munsell out|colour outside|color outside|"
      "Munsell außen|Farbe außen|Munsell externe|couleur externe|color exterior|"
      "Munsell έξω|Munsell dış|dış renk|Munsell՝ դրսից"},
     {"munsell_in",
@@ -84,7 +84,7 @@ constexpr Names kOfSherds[] = {
      "Munsell innen|Farbe innen|Munsell interne|couleur interne|color interior|"
      "Munsell μέσα|Munsell iç|iç renk|Munsell՝ ներսից"},
     {"munsell_core",
-     "munsell core|munsell|core colour|core color|Munsell Kern|Farbe Kern|"
+     "munsell core|core colour|core color|Munsell Kern|Farbe Kern|"
      "Farbe Bruch|Munsell cœur|couleur cœur|Munsell núcleo|color núcleo|"
      "Munsell πυρήνας|Munsell öz|Munsell՝ միջուկ"},
     {"condition",

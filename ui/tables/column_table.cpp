@@ -23,7 +23,7 @@ QString whyOf(const tables::ColumnChoice& choice) {
   if (choice.unit_guessed) return ColumnTable::tr("unit guessed from the values; check it");
   switch (choice.by) {
     case tables::ChosenBy::Name:
-      return ColumnTable::tr("by its name");
+      return ColumnTable::tr("proposed by its heading");
     case tables::ChosenBy::Earlier:
       return ColumnTable::tr("as in the last table with these columns");
     case tables::ChosenBy::Person:

@@ -164,6 +164,9 @@ void ImportDialog::fill() {
   const int most = fontMetrics().averageCharWidth() * 60;
   for (int c = 0; c < table_->columnCount(); ++c)
     table_->setColumnWidth(c, std::min(table_->columnWidth(c), most));
+  for (int r = 0; r < table_->rowCount(); ++r)  // a reason ends with what to do: it wraps
+    if (reasons && !rows[static_cast<std::size_t>(r)].refusal.isEmpty())
+      table_->resizeRowToContents(r);
 }
 
 // The columns come first where one of them has to be checked.

@@ -129,6 +129,7 @@ void ImportModel::setColumn(int column, const QString& field, const QString& uni
     if (&other != &choice && !choice.field.empty() && other.field == choice.field) {
       other.field = "extra." + other.column;
       other.unit.clear();
+      other.by = tables::ChosenBy::Person;
     }
   // A unit that was guessed for others is guessed again.
   for (tables::ColumnChoice& other : chosen_)

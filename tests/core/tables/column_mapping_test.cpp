@@ -111,6 +111,21 @@ TEST_F(Columns, AreEnteredInTheFieldsOwnUnitsExactly) {
       << "what is left out is nowhere";
 }
 
+TEST_F(Columns, ThatWereProposedStayProposalsWhereTheyAreGivenBackUnchanged) {
+  const std::string table = "Nummer;Gewicht;Schublade;Zahl\nX-1;50;7;3\n";
+  TableMapping seen = *map(table);
+  ASSERT_EQ(seen.columns.size(), 4u);
+  seen.columns[3].field = "rim_pct";
+  seen.columns[3].by = ChosenBy::Person;
+  const TableMapping given = *map(table, seen.columns);
+  EXPECT_EQ(given.columns[0].by, ChosenBy::Name);
+  EXPECT_EQ(given.columns[1].by, ChosenBy::Name);
+  EXPECT_EQ(given.columns[1].field, "weight_g");
+  EXPECT_EQ(given.columns[2].by, ChosenBy::Nobody);
+  EXPECT_EQ(given.columns[2].field, "extra.Schublade");
+  EXPECT_EQ(given.columns[3].by, ChosenBy::Person);
+}
+
 TEST_F(Columns, AreChosenForTheNextTableWithTheSameOnes) {
   import("Nummer;Fundort;Schnitt;Befund;Zahl\nX-1;ARM1;T3;0012;0,5\n",
          {{ "Zahl",

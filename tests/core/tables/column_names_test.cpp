@@ -53,6 +53,12 @@ TEST(ColumnNames, SayTheirUnitInBracketsAndBehindTheirName) {
   }
 }
 
+// Whoever writes one colour of a sherd writes that of its outside.
+TEST(ColumnNames, OfOneMunsellColourMeanTheOuterSurface) {
+  EXPECT_EQ(fieldOfColumn("Munsell", false), "munsell_out");
+  EXPECT_EQ(fieldOfColumn("Munsell core", false), "munsell_core");
+}
+
 TEST(ColumnNames, OfAnExportForPeopleAreTheirWordsWhereAnImportReadsThemAsTheSameField) {
   for (const auto& [field, words, heading] :
        {std::tuple("length_mm", "Länge, mm", "Länge, mm"),

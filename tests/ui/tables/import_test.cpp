@@ -86,6 +86,8 @@ class ImportTest : public QObject {
     QCOMPARE(rows->item(0, 1)->text(), QString("rejected"));
     QVERIFY(rows->item(0, 2)->text().contains("rimm"));
     QVERIFY2(rows->columnWidth(2) > rows->columnWidth(0), "the reason can be read");
+    const QAbstractItemView* view = rows;
+    QVERIFY2(rows->rowHeight(0) >= view->sizeHintForRow(0), "to its end");
     QVERIFY(rows->item(1, 2)->text().contains("0001"));
     QCOMPARE(rows->item(2, 1)->text(), QString("updated"));
     QCOMPARE(rows->item(2, 3)->text(), QString("ARM1-T3-0012-0001"));

@@ -11260,6 +11260,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gemessen.</translation>
     </message>
+    <message>
+      <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Farben vorgeschlagen: Das Modell hat keine Textur aus Fotos oder stammt von einer früheren Version des Programms. Verarbeiten Sie seinen Durchgang neu, um Vorschläge zu erhalten.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CompareWindow</name>

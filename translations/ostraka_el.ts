@@ -11260,6 +11260,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρημένο.</translation>
     </message>
+    <message>
+      <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν προτείνονται χρώματα: το μοντέλο δεν έχει υφή από φωτογραφίες ή το έφτιαξε παλαιότερη έκδοση του προγράμματος. Επεξεργαστείτε ξανά την παρτίδα του για προτάσεις.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CompareWindow</name>

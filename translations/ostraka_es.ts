@@ -11260,6 +11260,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Medido.</translation>
     </message>
+    <message>
+      <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se proponen colores: el modelo no tiene textura de fotografías o lo hizo una versión anterior del programa. Reprocese su tanda para obtener propuestas.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CompareWindow</name>

@@ -11260,6 +11260,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mesuré.</translation>
     </message>
+    <message>
+      <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune couleur proposée : le modèle n’a pas de texture issue de photos, ou une version antérieure du programme l’a produit. Retraitez son lot pour obtenir des propositions.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CompareWindow</name>

@@ -11260,6 +11260,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չափված։</translation>
     </message>
+    <message>
+      <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գույներ չեն առաջարկվում. մոդելը լուսանկարներից հյուսվածք չունի, կամ այն ստեղծել է ծրագրի ավելի վաղ տարբերակը։ Առաջարկներ ստանալու համար վերամշակեք դրա խմբաքանակը։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CompareWindow</name>

@@ -11208,6 +11208,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçüldü.</translation>
     </message>
+    <message>
+      <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Renk önerilmiyor: modelin fotoğraflardan dokusu yok ya da onu programın daha eski bir sürümü yaptı. Öneri almak için partisini yeniden işleyin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CompareWindow</name>

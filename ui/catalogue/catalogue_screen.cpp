@@ -21,6 +21,7 @@
 #include "tables/import_table.h"
 #include "ui/catalogue/compare_window.h"
 #include "ui/catalogue/drawing_page.h"
+#include "ui/catalogue/frozen_column.h"
 #include "ui/catalogue/model_pane.h"
 #include "ui/frame/no_batch_yet.h"
 #include "ui/frame/project_session.h"
@@ -148,6 +149,7 @@ QWidget* CatalogueScreen::buildLeft() {
                            std::max(fontMetrics().horizontalAdvance(heading) + 5 * letter,
                                     column == 0 ? 5 * height / 2 + 25 * letter : 12 * letter));
   }
+  freezeFirstColumn(*table_);
   connect(table_, &QTableView::activated, this, [this] { openDetails(); });
   none_ = new NoBatchYet("sherd", tr("No sherds yet"),
                          tr("Sherds appear here when a batch is processed."), this);
@@ -416,11 +418,10 @@ std::vector<store::SherdRow> CatalogueScreen::selected() const {
   return sherds;
 }
 
-// One alone is the one that is looked at, and perhaps meant.
 QString CatalogueScreen::chosen() const {
   QStringList rows;
   for (const store::SherdRow row : selected()) rows << QString::number(row.value);
-  return rows.isEmpty() ? QString() : (rows.size() > 1 ? "rows:" : "row:") + rows.join(',');
+  return rows.isEmpty() ? QString() : "rows:" + rows.join(',');
 }
 
 void CatalogueScreen::showSelection() {

@@ -161,15 +161,6 @@ void ExportModel::choose(ExportSelection selection) {
   if (!same) chooseAnew();
 }
 
-void ExportModel::offerChosen(std::vector<store::SherdRow> sherds) {
-  if (sherds == selection_.chosen) return;
-  selection_.chosen = std::move(sherds);
-  if (selection_.what == What::Chosen)
-    chooseAnew();
-  else
-    emit changed();
-}
-
 void ExportModel::setOptions(exchange::ExportOptions options) {
   options_ = std::move(options);
   keepChoices();

@@ -40,8 +40,6 @@ class ExportModel final : public QObject {
   const exchange::ExportOptions& options() const { return options_; }
   QString target() const { return QString::fromStdString(options_.target.string()); }
   void choose(ExportSelection selection);
-  /// What could be chosen; what is exported stays.
-  void offerChosen(std::vector<store::SherdRow> sherds);
   void setOptions(exchange::ExportOptions options);  ///< its forms and their sizes
   void setTarget(const QString& folder);
 

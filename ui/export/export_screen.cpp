@@ -248,10 +248,7 @@ void ExportScreen::showItem(const QString& what) {
 void ExportScreen::takeChosen(const QString& what) {
   if (what.isEmpty() || model_.state() == ExportModel::State::Running) return;
   if (what.startsWith(kPlate)) return;  // what one looks at is not what one gives away
-  if (what.startsWith("row:"))
-    model_.offerChosen({{what.mid(4).toLongLong()}});
-  else
-    showItem(what);
+  showItem(what);
 }
 
 void ExportScreen::browse() {

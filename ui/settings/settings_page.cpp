@@ -43,10 +43,12 @@ SettingsPage::SettingsPage(QWidget* parent)
         std::pair(Theme::Sunlight, tr("Sunlight: black on white, thick lines"))})
     theme_->addItem(words, static_cast<int>(theme));
   language_->addItem(tr("Follow system"), QString());
-  for (const char* code : {"en", "de", "fr", "es", "el", "tr", "hy"}) {
-    const QLocale locale(QString::fromLatin1(code));
-    language_->addItem(locale.nativeLanguageName(), QString::fromLatin1(code));
-  }
+  // As each stands in a list; a locale would name a country, too, and begin without a capital.
+  for (const auto& [code, name] :
+       {std::pair("en", "English"), std::pair("de", "Deutsch"), std::pair("fr", "Français"),
+        std::pair("es", "Español"), std::pair("el", "Ελληνικά"), std::pair("tr", "Türkçe"),
+        std::pair("hy", "Հայերեն")})
+    language_->addItem(QString::fromUtf8(name), QString::fromLatin1(code));
   text_->setRange(9, 20);  // tens of per cent
   text_->setPageStep(1);
   initials_->setMaxLength(5);

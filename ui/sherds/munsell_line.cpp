@@ -5,6 +5,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "records/sherd.h"
+#include "sherds/sherd_fields.h"
 #include "ui/look/look.h"
 #include "ui/widgets/parts.h"
 
@@ -22,6 +24,11 @@ QString trustText(const colour::MunsellProposals& proposals) {
       .arg(differenceText(proposals.chart->median), differenceText(proposals.chart->within_95));
 }
 
+bool lacksProposals(const colour::MunsellProposals& proposals, const records::SherdRecord& sherd) {
+  return !sherd.model_path.empty() && !proposals.out && !proposals.in && !proposals.core &&
+         sherd.munsell_out.empty() && sherd.munsell_in.empty() && sherd.munsell_core.empty();
+}
+
 }  // namespace
 
 MunsellLine::MunsellLine(const std::string& field, QWidget* parent)
@@ -35,12 +42,20 @@ MunsellLine::MunsellLine(const std::string& field, QWidget* parent)
   connect(take_over_, &QPushButton::clicked, this, [this] { emit takenOver(notation_); });
 }
 
-bool MunsellLine::offer(const colour::MunsellProposals& proposals, const std::string& entered) {
+bool MunsellLine::offer(const colour::MunsellProposals& proposals,
+                        const records::SherdRecord& sherd) {
   const std::optional<colour::MunsellProposal>& own = field_ == "munsell_out"  ? proposals.out
                                                       : field_ == "munsell_in" ? proposals.in
                                                                                : proposals.core;
   clear();
-  if (!own) return false;
+  take_over_->setVisible(own.has_value());
+  if (!own) {
+    if (field_ == "munsell_core" && lacksProposals(proposals, sherd))
+      text_->setText(
+          tr("No colours proposed: the model has no texture from photographs, or an earlier version "
+             "of the program made it. Reprocess its batch to get proposals."));
+    return !text_->text().isEmpty();
+  }
   notation_ = QString::fromStdString(own->match.notation);
   text_->setText(tr("Proposed: %1 (Delta E 2000: %2), then %3 (%4). %5")
                      .arg(notation_, differenceText(own->match.difference),
@@ -48,7 +63,7 @@ bool MunsellLine::offer(const colour::MunsellProposals& proposals, const std::st
                           differenceText(own->match.second_difference),
                           proposals.chart ? tr("Measured.") : tr("Rough.")));
   take_over_->setAccessibleName(tr("Take over %1").arg(notation_));
-  take_over_->setEnabled(own->match.notation != entered);
+  take_over_->setEnabled(own->match.notation != sherds::textOf(sherd, field_));
   QString trust = trustText(proposals);
   if (field_ != "munsell_core")
     trust += QLatin1Char(' ') + ((field_ == "munsell_out") == proposals.front_is_out

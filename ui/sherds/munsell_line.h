@@ -6,6 +6,10 @@
 class QLabel;
 class QPushButton;
 
+namespace ostraka::records {
+struct SherdRecord;
+}
+
 namespace ostraka::ui {
 
 /// Under a Munsell field: the colour that the photographs propose for it, how far it is from
@@ -18,8 +22,9 @@ class MunsellLine final : public QWidget {
   /// field: munsell_out, munsell_in or munsell_core.
   MunsellLine(const std::string& field, QWidget* parent);
 
-  /// False, and empty: nothing is proposed. What is `entered` already cannot be taken over again.
-  bool offer(const colour::MunsellProposals& proposals, const std::string& entered);
+  /// False, and empty: there is nothing to say. What the sherd has already cannot be taken over
+  /// again. Where its model proposes nothing and no field has a colour, the last line says why.
+  bool offer(const colour::MunsellProposals& proposals, const records::SherdRecord& sherd);
   /// Keeps its place while it is not known yet what is proposed for another sherd.
   void clear();
 

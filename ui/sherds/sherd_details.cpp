@@ -168,9 +168,8 @@ void SherdDetails::addProposal(const std::string& field) {
 
 void SherdDetails::offerProposals(const colour::MunsellProposals& proposals,
                                   const records::SherdRecord& sherd) {
-  for (auto at = proposals_.begin(); at != proposals_.end(); ++at)
-    form_->setRowVisible(*at,
-                         (*at)->offer(proposals, sherds::textOf(sherd, at.key().toStdString())));
+  for (MunsellLine* line : std::as_const(proposals_))
+    form_->setRowVisible(line, line->offer(proposals, sherd));
 }
 
 // A slow disk must not keep the window waiting for them.

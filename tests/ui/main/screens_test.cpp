@@ -251,6 +251,15 @@ class ScreensTest : public QObject {
     QCOMPARE(readSettings().text_percent, 150);
   }
 
+  void eachLanguageStandsInTheListByItsOwnNameWithACapital() {
+    QTest::keyClick(window_.get(), Qt::Key_Comma, Qt::ControlModifier);
+    const auto* languages = named<QComboBox>(*window_, "settingsLanguage");
+    QStringList names;
+    for (int i = 1; i < languages->count(); ++i) names << languages->itemText(i);
+    QCOMPARE(names, QStringList({"English", "Deutsch", "Français", "Español", "Ελληνικά", "Türkçe",
+                                 "Հայերեն"}));
+  }
+
   void theWindowFitsASmallLaptopInEachTextSize() {
     const QSize laptop(1280, 690);  // 1280 x 720 below a title
     openVirtual();

@@ -5,6 +5,7 @@
 #include "sherds/measurements.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
+#include "ui/sherds/munsell_line.h"
 #include "ui/sherds/sherd_details.h"
 
 #include <QAction>
@@ -173,6 +174,19 @@ class DetailsTest : public CatalogueWindow {
     }
     QVERIFY2(tallest >= 3 * screen_->fontMetrics().height(), "the remark goes on in other lines");
     QVERIFY(kinds.contains("Zeichnung"));
+  }
+
+  void aModelWithoutProposedColoursSaysWhyOnce() {
+    records::SherdRecord sherd;
+    MunsellLine inside("munsell_in", nullptr), core("munsell_core", nullptr);
+    QVERIFY2(!core.offer({}, sherd), "without a model nobody expects any");
+    sherd.model_path = "models/1.ply";
+    QVERIFY(!inside.offer({}, sherd));
+    QVERIFY(core.offer({}, sherd));
+    const auto* why = core.findChild<QLabel*>("proposed_munsell_core");
+    QVERIFY2(why->text().startsWith("No colours proposed:"), qPrintable(why->text()));
+    sherd.munsell_out = "10YR 5/1";
+    QVERIFY2(!core.offer({}, sherd), "somebody read them from a book");
   }
 
   // Sherd 1 has 10YR 3/1 outside, from a person.

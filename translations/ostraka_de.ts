@@ -5067,7 +5067,7 @@
     <message>
       <source>&amp;Open from folder…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aus &amp;Ordner öffnen …</translation>
+      <translation>&amp;Aus Ordner öffnen …</translation>
     </message>
     <message>
       <source>Open project</source>

@@ -5067,7 +5067,7 @@
     <message>
       <source>&amp;Open from folder…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ά&amp;νοιγμα από φάκελο…</translation>
+      <translation>&amp;Άνοιγμα από φάκελο…</translation>
     </message>
     <message>
       <source>Open project</source>

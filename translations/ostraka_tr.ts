@@ -5021,7 +5021,7 @@
     <message>
       <source>&amp;Open from folder…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>&amp;Klasörden aç…</translation>
+      <translation>Klasörden &amp;aç…</translation>
     </message>
     <message>
       <source>Open project</source>

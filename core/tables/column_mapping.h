@@ -35,11 +35,11 @@ struct TableMapping {
   Message missing = {};  ///< what a person has to choose before it is one of the two; else empty
 };
 
-/// What each column of a table is taken for: what `chosen` says of it, by whom it says, else what was chosen for a
-/// table with these columns before, else its name, else a field of its own. A table without numbers
-/// of sherds that has a column which only sherds have is none of contexts, unless a person says
-/// what becomes of that column. Errors: a choice of a column, field or unit that is not there; two
-/// columns of one field.
+/// What each column of a table is taken for: what `chosen` says of it, by whom it says, else what
+/// was chosen for a table with these columns before, else its name, else a field of its own. A
+/// table without numbers of sherds that has a column which only sherds have is none of contexts,
+/// unless a person says what becomes of that column. Errors: a choice of a column, field or unit
+/// that is not there; two columns of one field.
 Result<TableMapping> mapColumns(const catalogue::Catalogue& catalogue, const CsvTable& table,
                                 const std::vector<ColumnChoice>& chosen, const std::string& where);
 

@@ -89,8 +89,8 @@ class FrozenColumn final : public QTableView {
 
   void sort() {
     const QHeaderView* columns = table_.horizontalHeader();
-    const bool ascends = columns->sortIndicatorSection() == 0 &&
-                         columns->sortIndicatorOrder() == Qt::AscendingOrder;
+    const bool ascends =
+        columns->sortIndicatorSection() == 0 && columns->sortIndicatorOrder() == Qt::AscendingOrder;
     table_.sortByColumn(0, ascends ? Qt::DescendingOrder : Qt::AscendingOrder);
   }
 

@@ -51,9 +51,9 @@ bool MunsellLine::offer(const colour::MunsellProposals& proposals,
   take_over_->setVisible(own.has_value());
   if (!own) {
     if (field_ == "munsell_core" && lacksProposals(proposals, sherd))
-      text_->setText(
-          tr("No colours proposed: the model has no texture from photographs, or an earlier version "
-             "of the program made it. Reprocess its batch to get proposals."));
+      text_->setText(tr(
+          "No colours proposed: the model has no texture from photographs, or an earlier version "
+          "of the program made it. Reprocess its batch to get proposals."));
     return !text_->text().isEmpty();
   }
   notation_ = QString::fromStdString(own->match.notation);

@@ -103,8 +103,10 @@ class CatalogueScreenTest : public CatalogueWindow {
     table()->verticalScrollBar()->setValue(7);
     const QRect ninth = numbers->visualRect(table()->model()->index(9, 0));
     QCOMPARE(numbers->viewport()->mapTo(table(), ninth.topLeft()).y(),
-             table()->viewport()->mapTo(
-                 table(), table()->visualRect(table()->model()->index(9, 5)).topLeft()).y());
+             table()
+                 ->viewport()
+                 ->mapTo(table(), table()->visualRect(table()->model()->index(9, 5)).topLeft())
+                 .y());
     QTest::mouseClick(numbers->viewport(), Qt::LeftButton, {}, ninth.center());
     QVERIFY(table()->selectionModel()->isRowSelected(9, {}));
     filter("0012");

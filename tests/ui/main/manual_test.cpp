@@ -117,8 +117,8 @@ class ManualTest : public QObject {
 
   void theListOfKeysNamesEachKeyOfAScreenOnce() {
     QWidget screen;
-    for (const auto& [words, key] : {std::pair("Stop", Qt::Key_Escape), {"Next", Qt::Key_Space},
-                                     {"Keep", Qt::Key_Escape}}) {
+    for (const auto& [words, key] :
+         {std::pair("Stop", Qt::Key_Escape), {"Next", Qt::Key_Space}, {"Keep", Qt::Key_Escape}}) {
       auto* action = new QAction(QLatin1String(words), &screen);
       action->setShortcut(key);
     }

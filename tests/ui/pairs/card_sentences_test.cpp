@@ -79,7 +79,8 @@ void CardSentencesTest::aPoseThatWasGivenByHandSaysSo() {
   shown().accept();
   QCOMPARE(cardOf(2).state, CardState::Decided);
   QCOMPARE(said.count(), 1);
-  QVERIFY2(said[0][0].toString().contains("only 0 % of their fractures"), qPrintable(said[0][0].toString()));
+  QVERIFY2(said[0][0].toString().contains("only 0 % of their fractures"),
+           qPrintable(said[0][0].toString()));
   const QString card =
       review_->cards().index(review_->cards().rowOf(2)).data(Qt::ToolTipRole).toString();
   QVERIFY2(card.startsWith("Decided by AP on") && card.contains("turned by hand"),

@@ -160,7 +160,7 @@ class CaptureImportTest : public CaptureBench {
     QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, 60'000);
     QVERIFY(!imported[0][2].toStringList().join(' ').contains("plate.json"));  // all is well
     QVERIFY(imported[0][3].toString().contains("with a ruler"));
-    QVERIFY(shownMessage() != nullptr && shownMessage()->words().contains("was recognised"));
+    QVERIFY(shownMessage() != nullptr && shownMessage()->words().contains("Sheet recognised"));
     QCOMPARE(wanted.count(), 0);  // it is to be read
     const auto found = batch::readPlate(session_->project().batchFolder("B0001") / "plate.json");
     QVERIFY(found.has_value());

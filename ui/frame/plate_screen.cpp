@@ -55,7 +55,8 @@ std::filesystem::path PlateScreen::outputOf(const QString& batch) const {
 
 void PlateScreen::say(const QString& sentence) {
   message_->setText(sentence);
-  if (!isVisible()) emit said(sentence);  // once: the status bar only tells what is out of sight
+  // Once: the status bar tells only what is out of sight.
+  if (!message_->isVisible()) emit said(sentence);
 }
 
 }  // namespace ostraka::ui

@@ -29,6 +29,8 @@ std::string draftName(const records::SherdRecord& sherd) {
                      std::to_string(sherd.piece));
 }
 
+}  // namespace
+
 // Numbers are unlike each other, but a person may give one that is a draft's name.
 std::map<store::SherdRow, std::string> namesOf(std::span<const records::SherdRecord> sherds) {
   constexpr std::size_t kIdLetters = 8;
@@ -46,8 +48,6 @@ std::map<store::SherdRow, std::string> namesOf(std::span<const records::SherdRec
   }
   return names;
 }
-
-}  // namespace
 
 bool isMadeAnew(const PlannedFile& file, const ExportOptions& options) {
   return isModel(file.form) && options.most_model_bytes > 0 && file.from.extension() == ".ply";

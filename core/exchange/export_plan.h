@@ -43,6 +43,11 @@ struct PlannedFile {
 /// A model that is made anew, so that it takes no more than it may.
 bool isMadeAnew(const PlannedFile& file, const ExportOptions& options);
 
+/// What sherds are called in an export: by their numbers, or, while they are drafts, by the batch
+/// with the place on its map, B0004-03, and the beginning of the id where another has that name on
+/// some system.
+std::map<store::SherdRow, std::string> namesOf(std::span<const records::SherdRecord> sherds);
+
 /// Everything that an export copies and makes, in a fixed order.
 class ExportPlan {
  public:
@@ -52,8 +57,7 @@ class ExportPlan {
 
   /// Once. They outlive the plan. Throws Refused.
   void add(std::span<const records::SherdRecord> sherds, const std::stop_token& stop);
-  /// Of one that was added: its number, or the batch of a draft with its place on the batch's map,
-  /// B0004-03, and the beginning of its id where another has that name on some system.
+  /// Of one that was added (namesOf).
   const std::string& nameOf(const records::SherdRecord& sherd) const {
     return names_.at(sherd.row);
   }

@@ -49,11 +49,11 @@ int numberOf(std::string_view word) {
 }
 
 bool isDate(std::string_view text) {
-  constexpr std::string_view kMarks = "-./ ";
+  constexpr std::string_view kBetweenNumbers = "-./ ";
   std::vector<std::string> words;
-  for (std::size_t at = text.find_first_not_of(kMarks); at < text.size();
-       at = text.find_first_not_of(kMarks, at)) {
-    const std::size_t end = std::min(text.find_first_of(kMarks, at), text.size());
+  for (std::size_t at = text.find_first_not_of(kBetweenNumbers); at < text.size();
+       at = text.find_first_not_of(kBetweenNumbers, at)) {
+    const std::size_t end = std::min(text.find_first_of(kBetweenNumbers, at), text.size());
     words.emplace_back(text.substr(at, end - at));
     at = end;
   }

@@ -13,17 +13,32 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 TEST(ExportName, OfASherdIsItsNumberOrItsPlaceOnItsBatch) {
-  records::SherdRecord sherd;
+  std::vector<records::SherdRecord> sherds(1);
+  records::SherdRecord& sherd = sherds.front();
+  const auto name = [&] { return namesOf(sherds).at(sherd.row); };
   sherd.id = "0190a0b0-0000-7000-8000-000000000001";
-  EXPECT_EQ(slugOf(sherd), "sherd-" + sherd.id);
+  EXPECT_EQ(name(), "sherd-" + sherd.id);
   sherd.piece = 3;
-  EXPECT_EQ(slugOf(sherd), "sherd-" + sherd.id) << "a place on no batch is none";
+  EXPECT_EQ(name(), "sherd-" + sherd.id) << "a place on no batch is none";
   sherd.batch_number = "B0004";
-  EXPECT_EQ(slugOf(sherd), "B0004-03");
+  EXPECT_EQ(name(), "B0004-03");
   sherd.piece = 12;
-  EXPECT_EQ(slugOf(sherd), "B0004-12");
+  EXPECT_EQ(name(), "B0004-12");
   sherd.number = "ARM1/T3 7";
-  EXPECT_EQ(slugOf(sherd), "ARM1_T3_7") << "a slash would be a folder";
+  EXPECT_EQ(name(), "ARM1_T3_7") << "a slash would be a folder";
+}
+
+TEST(ExportName, OfADraftTellsItFromANumberOfTheSameName) {
+  std::vector<records::SherdRecord> sherds(2);
+  sherds[0].row = store::SherdRow{1};
+  sherds[0].id = "0190a0b0-0000-7000-8000-000000000001";
+  sherds[0].batch_number = "B0004";
+  sherds[0].piece = 3;
+  sherds[1].row = store::SherdRow{2};
+  sherds[1].number = "b0004-03";
+  const auto names = namesOf(sherds);
+  EXPECT_EQ(names.at(store::SherdRow{1}), "B0004-03-0190a0b0");
+  EXPECT_EQ(names.at(store::SherdRow{2}), "b0004-03");
 }
 
 TEST(ExportedModels, AreMadeAnewOnlyWhereTheyMayTakeLess) {

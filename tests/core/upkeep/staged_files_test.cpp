@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "catalogue/file_places.h"
 #include "catalogue/settings.h"
 #include "files/files.h"
 #include "tests/core/catalogue/small_project.h"
@@ -79,10 +80,11 @@ TEST_F(Staged, GoOnWhereAKillLeftThem) {
 }
 
 TEST_F(Staged, GoNowhereElseThanAMergeMay) {
-  for (const char* place_of : {"batches/a", "results/a", "models/a", "imported/a"})
+  using catalogue::isPlaceOfFiles;
+  for (const char* place_of : {"batches/B0001/a.jpg", "results/B0001/a", "models/B0001/a.ply"})
     EXPECT_TRUE(isPlaceOfFiles(place_of)) << place_of;
-  for (const char* elsewhere :
-       {"catalogue.sqlite", "backups/a", "batches", "batches_of_others/a", "", "/batches/a"})
+  for (const char* elsewhere : {"catalogue.sqlite", "backups/a", "batches", "batches/a",
+                                "batches_of_others/a/b", "", "/batches/a/b"})
     EXPECT_FALSE(isPlaceOfFiles(elsewhere)) << elsewhere;
   stage("batches/B0001/front/a.jpg", "A");
   stage("backups/catalogue-20260101-000000-000.sqlite", "planted");

@@ -9,7 +9,6 @@
 #include <QLineEdit>
 #include <QOpenGLWidget>
 #include <QPushButton>
-#include <QScrollBar>
 #include <QSignalSpy>
 #include <QStackedWidget>
 #include <QTabWidget>
@@ -91,28 +90,6 @@ class CatalogueScreenTest : public CatalogueWindow {
     choose(0);
     QCOMPARE(ware->text(), QString("coarse"));
     QVERIFY(!child<QWidget>("refusal")->isVisible());
-  }
-
-  void theNumbersStayInSightWhereTheTableIsScrolledSideways() {
-    const auto* numbers = table()->findChild<QTableView*>("sherdsFrozen");
-    QVERIFY(!numbers->isVisible());
-    QScrollBar* sideways = table()->horizontalScrollBar();
-    QVERIFY(sideways->maximum() > 0);
-    sideways->setValue(sideways->maximum());
-    QVERIFY(numbers->isVisible());
-    table()->verticalScrollBar()->setValue(7);
-    const QRect ninth = numbers->visualRect(table()->model()->index(9, 0));
-    QCOMPARE(numbers->viewport()->mapTo(table(), ninth.topLeft()).y(),
-             table()
-                 ->viewport()
-                 ->mapTo(table(), table()->visualRect(table()->model()->index(9, 5)).topLeft())
-                 .y());
-    QTest::mouseClick(numbers->viewport(), Qt::LeftButton, {}, ninth.center());
-    QVERIFY(table()->selectionModel()->isRowSelected(9, {}));
-    filter("0012");
-    QVERIFY(numbers->isVisible());
-    sideways->setValue(0);
-    QVERIFY(!numbers->isVisible());
   }
 
   void termsAreShownAndTypedInTheWindowsLanguage() {

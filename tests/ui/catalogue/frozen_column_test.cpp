@@ -1,0 +1,49 @@
+#include "ui/catalogue/frozen_column.h"
+
+#include <QApplication>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTest>
+
+#include "catalogue_window.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class FrozenColumnTest : public CatalogueWindow {
+  Q_OBJECT
+
+ private slots:
+  void init() { open(); }
+  void cleanup() { close(); }
+
+  void theNumbersStayInSightWhereTheTableIsScrolledSideways() {
+    const auto* numbers = table()->findChild<QTableView*>("sherdsFrozen");
+    QVERIFY(!numbers->isVisible());
+    QScrollBar* sideways = table()->horizontalScrollBar();
+    QVERIFY(sideways->maximum() > 0);
+    sideways->setValue(sideways->maximum());
+    QVERIFY(numbers->isVisible());
+    table()->verticalScrollBar()->setValue(7);
+    const QRect ninth = numbers->visualRect(table()->model()->index(9, 0));
+    QCOMPARE(numbers->viewport()->mapTo(table(), ninth.topLeft()).y(),
+             table()
+                 ->viewport()
+                 ->mapTo(table(), table()->visualRect(table()->model()->index(9, 5)).topLeft())
+                 .y());
+    QTest::mouseClick(numbers->viewport(), Qt::LeftButton, {}, ninth.center());
+    QVERIFY(table()->selectionModel()->isRowSelected(9, {}));
+    filter("0012");
+    QVERIFY(numbers->isVisible());
+    sideways->setValue(0);
+    QVERIFY(!numbers->isVisible());
+  }
+};
+
+int main(int argc, char** argv) {
+  prepareOpenGl();
+  QApplication application(argc, argv);
+  FrozenColumnTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "frozen_column_test.moc"

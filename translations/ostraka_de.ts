@@ -11341,7 +11341,10 @@
     <message numerus="yes">
       <source>%n field(s) differ.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation><numerusform>%n Feld ist verschieden.</numerusform><numerusform>%n Felder sind verschieden.</numerusform></translation>
+      <translation>
+            <numerusform>%n Feld ist verschieden.</numerusform>
+            <numerusform>%n Felder sind verschieden.</numerusform>
+        </translation>
     </message>
     <message>
       <source>The two are recorded as joining.</source>

@@ -451,7 +451,10 @@
     <name>ostraka::ui::CompareWindow</name>
     <message numerus="yes">
       <source>%n field(s) differ.</source>
-      <translation><numerusform>%n field differs.</numerusform><numerusform>%n fields differ.</numerusform></translation>
+      <translation>
+            <numerusform>%n field differs.</numerusform>
+            <numerusform>%n fields differ.</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -11341,7 +11341,10 @@
     <message numerus="yes">
       <source>%n field(s) differ.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation><numerusform>%n campo es distinto.</numerusform><numerusform>%n campos son distintos.</numerusform></translation>
+      <translation>
+            <numerusform>%n campo es distinto.</numerusform>
+            <numerusform>%n campos son distintos.</numerusform>
+        </translation>
     </message>
     <message>
       <source>The two are recorded as joining.</source>

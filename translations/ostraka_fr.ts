@@ -11341,7 +11341,10 @@
     <message numerus="yes">
       <source>%n field(s) differ.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation><numerusform>%n champ diffère.</numerusform><numerusform>%n champs diffèrent.</numerusform></translation>
+      <translation>
+            <numerusform>%n champ diffère.</numerusform>
+            <numerusform>%n champs diffèrent.</numerusform>
+        </translation>
     </message>
     <message>
       <source>The two are recorded as joining.</source>

@@ -11289,7 +11289,9 @@
     <message numerus="yes">
       <source>%n field(s) differ.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation><numerusform>%n alan farklı.</numerusform></translation>
+      <translation>
+            <numerusform>%n alan farklı.</numerusform>
+        </translation>
     </message>
     <message>
       <source>The two are recorded as joining.</source>

@@ -39,8 +39,8 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 Run runOf(const ProcessOptions& options, const batch::Batch& batch, const FolderLock& held,
-          const stages::BatchInputs& inputs, const decisions::Decisions& holding, Progress& progress,
-          std::stop_token stop) {
+          const stages::BatchInputs& inputs, const decisions::Decisions& holding,
+          Progress& progress, std::stop_token stop) {
   const ordered_json& hashes = inputs.hashes();
   return {options,
           batch,

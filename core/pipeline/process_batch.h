@@ -35,8 +35,8 @@ struct ProcessOptions {
   std::optional<std::filesystem::path> rig;  ///< RIG.json of an earlier calibration
   DenseMethod dense = DenseMethod::Builtin;
   std::string masks = "auto";  ///< "auto", "given", or the path of an ONNX network
-  /// Photographs of more are averaged down to this for stereo, whose time grows with the pixels; the
-  /// cameras are found in the originals. Millions of pixels.
+  /// Photographs of more are averaged down to this for stereo, whose time grows with the pixels;
+  /// the cameras are found in the originals. Millions of pixels.
   double megapixels = kUsualMegapixels;
   /// What masks and stereo may take: masks are made on fewer pixels, and stereo part by part, where
   /// whole photographs would take more. The result depends on it a little.

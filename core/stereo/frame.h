@@ -39,8 +39,9 @@ struct Frame {
   }
 };
 
-/// The frames of one part of a view from the full size (first) to the coarsest; pixels and index are
-/// empty. The photograph is the whole one, the part a rectangle of its pixels without distortion.
+/// The frames of one part of a view from the full size (first) to the coarsest; pixels and index
+/// are empty. The photograph is the whole one, the part a rectangle of its pixels without
+/// distortion.
 std::vector<Frame> buildPyramid(const View& view, const cv::Mat& photograph, const cv::Rect& part,
                                 int levels);
 /// The same of the whole view, with the photograph that it holds.

@@ -235,8 +235,10 @@ Result<PointCloud> coloured(std::span<const View> views, const ReadPhotograph& r
         for (const std::size_t i : seen[of[k]]) {
           const Eigen::Vector2d pixel =
               views[of[k]].camera.project(points[i].position.cast<double>());
-          const int x = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, photograph.cols - 1);
-          const int y = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, photograph.rows - 1);
+          const int x =
+              std::clamp(static_cast<int>(std::lround(pixel.x())), 0, photograph.cols - 1);
+          const int y =
+              std::clamp(static_cast<int>(std::lround(pixel.y())), 0, photograph.rows - 1);
           const auto bgr = photograph.at<cv::Vec3b>(y, x);
           cloud.colors[i] = {bgr[2], bgr[1], bgr[0]};
         }

@@ -179,12 +179,12 @@ void SherdDetails::readProposals(const std::filesystem::path& project,
   reading_ = nullptr;
   if (sherd.model_path.empty()) return offerProposals({}, sherd);
   const auto file = (project / sherd.model_path).replace_extension(".glb");
-  reading_ = jobs.start(
-      makeJob([file](Progress&, std::stop_token) {
-        return Result<colour::MunsellProposals>(
-            colour::parseMunsellProposals(extrasInGlb(file).munsell).value_or(colour::MunsellProposals()));
-      }),
-      this);
+  reading_ = jobs.start(makeJob([file](Progress&, std::stop_token) {
+                          return Result<colour::MunsellProposals>(
+                              colour::parseMunsellProposals(extrasInGlb(file).munsell)
+                                  .value_or(colour::MunsellProposals()));
+                        }),
+                        this);
   connect(reading_, &JobHandle::finished, this, [this, sherd](const JobOutcome& outcome) {
     if (const auto read = outcomeAs<colour::MunsellProposals>(outcome))
       offerProposals(*read, sherd);

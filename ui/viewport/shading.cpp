@@ -96,8 +96,8 @@ constexpr const char* kSurfaceNames = R"(//VTK::Normal::Dec
 in float unseenVSOutput;
 )";
 // Where a closed surface is cut, one sees its inside, and nowhere else: that is the cap. It lies as
-// deep as the inside, so that an outer face that is nearer hides it. The names of the texture and of
-// the place on it are VTK's.
+// deep as the inside, so that an outer face that is nearer hides it. The names of the texture and
+// of the place on it are VTK's.
 constexpr const char* kSurfaceColour = R"(
 #ifdef TEXTURED
   vec3 own = texture(actortexture, tcoordVCVSOutput).rgb;

@@ -89,10 +89,6 @@ TEST_F(Plan, TakesOfEachSherdWhatIsWantedAndOfABatchItsPhotographsOnce) {
                   "models/" + second + ".ply < model.ply", "models/" + second + ".glb < model.glb",
                   "models/" + second + ".obj < model.ply",
                   "images/" + second + ".png < preview.png"));
-  // Too large a GLB is made of the PLY.
-  options.forms = {Form::Glb};
-  options.most_model_bytes = 10;
-  EXPECT_THAT(planned(options), ElementsAre("models/" + first + ".glb < model.ply"));
   options.forms = {Form::Csv};
   EXPECT_THAT(planned(options), IsEmpty());
 }

@@ -112,7 +112,7 @@ TEST_F(Filters, ANumberIsEqualAsFarAsItsDigitsAreTyped) {
       set(*Sherds(catalogue()).byNumber("ARM1-T3-0013-0002"), "thickness_mean_mm", "2.97296"));
   for (const char* line : {"thickness=2.973", "thickness:2,97", "thickness=3.0", "thickness=3"})
     EXPECT_EQ(letters(line), "d") << line;
-  for (const char* line : {"thickness=2.972", "thickness=2.9", "thickness=2.9730", "thickness=2"})
+  for (const char* line : {"thickness=2.972", "thickness=2.9", "thickness=2.97300", "thickness=2"})
     EXPECT_EQ(letters(line), "") << line;
   EXPECT_EQ(letters("-thickness=3"), "abc");
 }

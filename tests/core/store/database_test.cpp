@@ -16,11 +16,13 @@ namespace fs = std::filesystem;
 // A catalogue with one table of things.
 class Databases : public testing::Test {
  protected:
-  Databases() : first_(open(Database::Mode::Create)) {
-    first_->script(
-        "PRAGMA application_id = 1330861138; PRAGMA user_version = 1;"  // OSTR
-        "CREATE TABLE thing (row INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE) STRICT;"
-        "CREATE TABLE part (thing INTEGER NOT NULL REFERENCES thing (row)) STRICT;");
+  Databases() {
+    open(Database::Mode::Create)
+        ->script(
+            "PRAGMA application_id = 1330861138; PRAGMA user_version = 1;"  // OSTR
+            "CREATE TABLE thing (row INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE) STRICT;"
+            "CREATE TABLE part (thing INTEGER NOT NULL REFERENCES thing (row)) STRICT;");
+    first_ = open(Database::Mode::ReadWrite);
   }
   std::unique_ptr<Database> open(Database::Mode mode, Waiting waiting = {}) const {
     Result<std::unique_ptr<Database>> opened = Database::open(file(), mode, std::move(waiting));

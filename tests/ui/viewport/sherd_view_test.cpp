@@ -214,8 +214,8 @@ void SherdViewTest::theCapOfACutModelIsFlat() {
   QCOMPARE(exactly(capColour()), 0);
   view_->setSection(true);
   QTRY_COMPARE(picture().pixelColor(canvas()->rect().center()), capColour());
-  // The plane stands upright on the first view, at 19 degrees to the box's end: 20 / cos 19 = 21.2 mm
-  // of cap, and beyond it a corner that reaches 5.4 mm farther to the side.
+  // The plane stands upright on the first view, at 19 degrees to the box's end: 20 / cos 19 = 21.2
+  // mm of cap, and beyond it a corner that reaches 5.4 mm farther to the side.
   const double cap = double(exactly(capColour())) / notBackground();
   QVERIFY2(cap > 0.7 && cap < 0.85, qPrintable(QString::number(cap)));
   QVERIFY2(exactly(edgeColour()) > 100, "the outline of the cut");

@@ -28,7 +28,7 @@ function(ostraka_ui_test name)
     get_filename_component(stem ${source} NAME_WE)
     set(target ui_${name}_${stem})
     add_executable(${target} ${source})
-    set_target_properties(${target} PROPERTIES AUTOMOC ON OSTRAKA_OF_TESTS ON)
+    set_target_properties(${target} PROPERTIES AUTOMOC ON OSTRAKA_LEVEL 0)
     target_link_libraries(${target} PRIVATE ${A_LINKS} ostraka_qt Qt6::Test)
     target_precompile_headers(${target} REUSE_FROM ostraka_qt_tests)
     set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp

@@ -34,7 +34,8 @@ class FrozenColumnTest : public CatalogueWindow {
     QTest::mouseClick(numbers->viewport(), Qt::LeftButton, {}, ninth.center());
     QVERIFY(table()->selectionModel()->isRowSelected(9, {}));
     filter("0012");
-    QVERIFY(numbers->isVisible());
+    // Scrolled back, the table shows the numbers itself.
+    QCOMPARE(numbers->isVisible(), sideways->value() > sideways->minimum());
     sideways->setValue(0);
     QVERIFY(!numbers->isVisible());
   }

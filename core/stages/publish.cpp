@@ -43,9 +43,17 @@ bool isSherdNumber(const std::string& name) {
 }
 
 constexpr std::string_view kFilesOfOut[] = {
-    "report.json",         "report.html",          "pairs.json", "log.txt",
-    "work/batch.json",     "work/scans.json",      "work/lock",  "work/more_candidates.json",
-    batch::kDecisionsFile, batch::kMaskStrokesFile};
+    "report.json",
+    "report.html",
+    "pairs.json",
+    "log.txt",
+    "plate.json",  // of a sheet that was found in the photographs
+    "work/batch.json",
+    "work/scans.json",
+    "work/lock",
+    "work/more_candidates.json",
+    batch::kDecisionsFile,
+    batch::kMaskStrokesFile};
 
 bool isOfAStage(const fs::path& stage, const std::string& file) {
   if (file == "stage.json" || file == "begun.json") return true;

@@ -22,7 +22,7 @@ constexpr int kFormat = 1;  // of stage.json and the artefacts beside it
 constexpr const char* kProgram =
     OSTRAKA_VERSION;  // a new version computes anew: results may differ
 constexpr const char* kWhole = "stage.json";
-constexpr const char* kBegun = "begun.json";  // from before the first file until the stage is whole
+constexpr const char* kBegun = "begun.json";  // before the first file
 
 // Names (relative) and SHA-256 of all files of a stage but its records, in the order of names.
 Result<ordered_json> hashesOf(const fs::path& folder) {
@@ -123,14 +123,12 @@ std::vector<Message> messagesAt(const ordered_json& figures, const char* key) {
 Result<StageRecord> runStage(const FolderLock& held, const std::string& name,
                              const ordered_json& key, const StageWork& work, Progress& progress) {
   const fs::path folder = held.folder() / name;
-  std::error_code failed;
   if (!held.stands()) return outputGone(held.folder().parent_path());
   const std::string key_hash =
       sha256(ordered_json{{"stage", name}, {"format", kFormat}, {"program", kProgram}, {"key", key}}
                  .dump());
   if (std::optional<StageRecord> record = wholeRecord(folder, key_hash)) {
     progress.note(NoteLevel::Info, name + ": reused from an earlier run");
-    fs::remove(folder / kBegun, failed);  // of a run that was killed just before this
     return std::move(*record);
   }
   if (const Result<void> begun = begin(folder, name); !begun) return begun.error();
@@ -160,7 +158,6 @@ Result<StageRecord> runStage(const FolderLock& held, const std::string& name,
                                   {"figures", record.notes.figures},
                                   {"warnings", toJson(record.notes.warnings)}});
   if (!written) return written.error();
-  fs::remove(folder / kBegun, failed);
   return record;
 }
 

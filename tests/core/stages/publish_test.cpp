@@ -33,8 +33,8 @@ TEST(Publish, TellsFilesThatNoRunWritesFromThoseOfARun) {
   ASSERT_TRUE(writeFileAtomically(out / "work/rig/stage.json",
                                   R"({"stage": "rig", "files": {"rig.json": "", "a/b.txt": ""}})"));
   for (const char* name :
-       {"report.json", "log.txt", "decisions.json", "unpaired/f001.ply", "sherds/01/model.ply",
-        "work/batch.json", "work/rig/rig.json", "work/rig/a/b.txt"})
+       {"report.json", "log.txt", "plate.json", "decisions.json", "unpaired/f001.ply",
+        "sherds/01/model.ply", "work/batch.json", "work/rig/rig.json", "work/rig/a/b.txt"})
     ASSERT_TRUE(writeFileAtomically(out / name, "x")) << name;
   EXPECT_EQ(filesOfOthers(out), std::vector<std::string>());
   std::vector<std::string> others = {"a.desktop",        "sherds/01/x.txt", "sherds/anna/model.ply",

@@ -205,7 +205,7 @@ class GlbReader {
   std::string_view binary_;
 };
 
-// A stranger's file may hold anything there.
+// A file from elsewhere may contain anything there.
 GlbExtras extrasOf(const json& root) {
   const json& about = memberOf(memberOf(entryOf(root, "nodes", 0u), "extras"), "ostraka");
   GlbExtras extras;

@@ -10,8 +10,8 @@ inline constexpr std::string_view kReportHead =
     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
     "style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">";
 
-/// Whether a page begins so and leads to no other by itself: a person's browser may show it,
-/// whoever wrote it. Reports of other people's projects are such strangers.
+/// Whether a page begins so and leads to no other by itself. A person's browser may then show it,
+/// even if it came with somebody else's project.
 bool isSafeReport(std::string_view page);
 
 }  // namespace ostraka

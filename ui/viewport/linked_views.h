@@ -8,9 +8,9 @@
 
 namespace ostraka::ui {
 
-/// Two sherds looked at beside each other: always in the same scale, and what turns one turns the
-/// other by as much, so that one turned alone before keeps its place against the other. For views
-/// of the same height.
+/// Two sherds beside each other, always in the same scale. Turning one turns the other by the same
+/// angle, so that a difference that a person set by turning one alone remains. The views must have
+/// the same height.
 class LinkedViews final : public QObject {
   Q_OBJECT
 

@@ -53,22 +53,19 @@ Groups groupsOf(const ViewState& view) {
 
 Result<void> addNetwork(std::span<const cv::Mat> photographs, std::span<ViewState> views,
                         int reduction, int threads, const std::stop_token& stop) {
+  const auto sharp = segmentation::sherdProbabilities(photographs, stop);
+  if (!sharp) return sharp.error();
   std::vector<segmentation::NetworkSample> samples;
-  std::vector<cv::Mat1b> sharp;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    if (stop.stop_requested()) return Error::cancelled();
-    const Result<cv::Mat1b> probability = segmentation::sherdProbability(photographs[i]);
-    if (!probability) return probability.error();
     ViewState& view = views[i];
-    cv::resize(*probability, view.probability, view.hull.clear.size(), 0, 0, cv::INTER_AREA);
+    cv::resize((*sharp)[i], view.probability, view.hull.clear.size(), 0, 0, cv::INTER_AREA);
     samples.push_back({view.probability, view.hull.inside, view.hull.clear});
-    sharp.push_back(*probability);
   }
   const auto odds = segmentation::NetworkOdds::learn(samples);
   if (odds.none()) return {};
   parallelFor(views.size(), threads, [&](std::size_t i) {
     ViewState& view = views[i];
-    const cv::Mat1f added = odds.of(sharp[i], view.log_odds.size());
+    const cv::Mat1f added = odds.of((*sharp)[i], view.log_odds.size());
     view.log_odds += added;
     const cv::Size size = view.hull.clear.size();
     view.hull.inside =

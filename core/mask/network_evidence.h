@@ -13,7 +13,7 @@ namespace ostraka::mask {
 /// Adds the odds of Ostraka's own network, with a weight that is learnt in these photographs
 /// (segmentation::NetworkOdds), to the views' log odds and to what the hull is carved from.
 /// photographs: CV_8UC3, one per view. Call it after the plate and the heights were weighed.
-/// reduction: as in hull::HullOptions. Errors: Cancelled, and those of sherdProbability.
+/// reduction: as in hull::HullOptions. Errors: Cancelled, and those of sherdProbabilities.
 Result<void> addNetwork(std::span<const cv::Mat> photographs, std::span<ViewState> views,
                         int reduction, int threads, const std::stop_token& stop);
 

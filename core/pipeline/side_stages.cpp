@@ -107,10 +107,12 @@ Result<mask::MaskResult> givenMasks(const Run& run, const std::vector<rig::Posed
 }
 
 Result<mask::MaskResult> networkMasks(const Run& run, const std::vector<cv::Mat>& photographs) {
+  Result<segmentation::Network> network = segmentation::Network::read(run.options.masks);
+  if (!network) return network.error();
   mask::MaskResult result;
   for (const cv::Mat& photograph : photographs) {
     if (run.stop.stop_requested()) return Error::cancelled();
-    Result<cv::Mat1b> mask = segmentation::maskByNetwork(photograph, run.options.masks);
+    Result<cv::Mat1b> mask = network->mask(photograph);
     if (!mask) return mask.error();
     result.masks.push_back(std::move(*mask));
     run.progress.report(static_cast<std::int64_t>(result.masks.size()),

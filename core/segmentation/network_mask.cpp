@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <exception>
 #include <map>
+#include <memory>
 #include <new>
 #include <numeric>
 #include <opencv2/dnn.hpp>
@@ -12,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/limits.h"
@@ -99,26 +101,11 @@ double heldBytes(cv::dnn::Net& net, const cv::dnn::MatShape& input) {
   return most;
 }
 
-Result<cv::Mat1f> probability(const cv::Mat& photograph, std::string_view model, int longer_px,
-                              const std::string& where) {
-  if (photograph.type() != CV_8UC3 || photograph.empty())
-    return Error::unusable(message("The network needs an 8-bit colour photograph."));
-  const Result<cv::Size> size = networkInputSize(model, photograph.size(), longer_px, where);
-  if (!size) return size.error();
-  cv::Mat output;
+// What OpenCV throws while it reads, lays out or runs a network, as a refusal.
+template <typename Act>
+auto orUnusable(const std::string& where, Act&& act) -> decltype(act()) {
   try {
-    cv::dnn::Net net = cv::dnn::readNetFromONNX(model.data(), model.size());
-    net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
-    constexpr double kMost = limits::kNetworkRunBytes.most, kBytesPerGb = 1e9;
-    net.setInput(pictureBlob(photograph, *size));
-    const double held = heldBytes(net, {1, 3, size->height, size->width});
-    if (held > kMost)
-      return Error::unusable(
-          message("The network takes %1 GB of memory for one photograph, but at most %2 GB can be "
-                  "used; use a smaller network, or one with a smaller input.",
-                  decimal(held / kBytesPerGb, 1), decimal(kMost / kBytesPerGb, 1)),
-          where);
-    output = net.forward();
+    return act();
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const cv::Exception& problem) {
@@ -126,18 +113,25 @@ Result<cv::Mat1f> probability(const cv::Mat& photograph, std::string_view model,
   } catch (const std::exception& problem) {  // of protobuf
     return unusable(where, message("it cannot be run (%1)", problem.what()));
   }
-  if (output.dims != 4 || output.type() != CV_32F || output.size[0] != 1 || output.size[1] < 1 ||
-      output.size[1] > 2 || output.size[2] < 1 || output.size[3] < 1)
-    return unusable(where, message("its output has another shape"));
-  if (!cv::checkRange(output.reshape(1, 1)))
-    return unusable(where, message("its output contains numbers that are not finite"));
-  return probabilityOf(output);
 }
 
 cv::Mat1b inBytes(const cv::Mat1f& probability) {
   cv::Mat1b mask;
   probability.convertTo(mask, CV_8U, 255);
   return mask;
+}
+
+// The mean of both looks along the coarse one's outlines, the coarse look elsewhere.
+cv::Mat1f sharperAlongOutlines(const cv::Mat1f& coarse, const cv::Mat1f& fine) {
+  const cv::Mat1b inside = coarse > 0.5;
+  cv::Mat1b along;
+  const int side = 2 * kAlongOutline_px + 1;
+  cv::morphologyEx(inside, along, cv::MORPH_GRADIENT, cv::Mat1b::ones(side, side));
+  cv::resize(along, along, fine.size(), 0, 0, cv::INTER_NEAREST);
+  cv::Mat1f sharp;
+  cv::resize(coarse, sharp, fine.size(), 0, 0, cv::INTER_LINEAR);
+  cv::Mat1f((sharp + fine) / 2).copyTo(sharp, along);
+  return sharp;
 }
 
 }  // namespace
@@ -163,34 +157,101 @@ Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph, i
                   rows > 0 ? static_cast<int>(rows) : free(photograph.height));
 }
 
-Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx) {
-  const Result<std::string> model = readFile(onnx, limits::kNetworkBytes.most);
+// A network whose layers stay laid out while photographs have one size: laying them out anew, and
+// memory that nobody has touched yet, cost as much as a run.
+struct Network::Laid {
+  cv::Size input{};
+  cv::dnn::Net net;
+};
+
+Network::Network(std::string model, std::string where, int longer_px)
+    : model_(std::move(model)), where_(std::move(where)), longer_px_(longer_px) {}
+Network::Network(Network&&) noexcept = default;
+Network& Network::operator=(Network&&) noexcept = default;
+Network::~Network() = default;
+
+Result<Network> Network::read(const std::filesystem::path& onnx) {
+  Result<std::string> model = readFile(onnx, limits::kNetworkBytes.most);
   if (!model) return model.error();
-  const Result<cv::Mat1f> sherd = probability(photograph, *model, kFreeInput_px, onnx.string());
+  return Network(std::move(*model), onnx.string(), kFreeInput_px);
+}
+
+Result<void> Network::layOut(cv::Size input) {
+  laid_.reset();  // two would take their memory at one time
+  auto laid = std::make_unique<Laid>();
+  laid->input = input;
+  const Result<void> fits = orUnusable(where_, [&]() -> Result<void> {
+    laid->net = cv::dnn::readNetFromONNX(model_.data(), model_.size());
+    laid->net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+    constexpr double kMost = limits::kNetworkRunBytes.most, kBytesPerGb = 1e9;
+    laid->net.setInput(cv::dnn::blobFromImage(cv::Mat3f::zeros(input)));
+    const double held = heldBytes(laid->net, {1, 3, input.height, input.width});
+    if (held <= kMost) return {};
+    return Error::unusable(
+        message("The network takes %1 GB of memory for one photograph, but at most %2 GB can be "
+                "used; use a smaller network, or one with a smaller input.",
+                decimal(held / kBytesPerGb, 1), decimal(kMost / kBytesPerGb, 1)),
+        where_);
+  });
+  if (!fits) return fits.error();
+  laid_ = std::move(laid);
+  return {};
+}
+
+Result<cv::Mat1f> Network::probability(const cv::Mat& photograph) {
+  if (photograph.type() != CV_8UC3 || photograph.empty())
+    return Error::unusable(message("The network needs an 8-bit colour photograph."));
+  const Result<cv::Size> size = networkInputSize(model_, photograph.size(), longer_px_, where_);
+  if (!size) return size.error();
+  if (!laid_ || laid_->input != *size)
+    if (const Result<void> laid = layOut(*size); !laid) return laid.error();
+  const Result<cv::Mat> output = orUnusable(where_, [&]() -> Result<cv::Mat> {
+    laid_->net.setInput(pictureBlob(photograph, *size));
+    return laid_->net.forward();
+  });
+  if (!output) return output.error();
+  if (output->dims != 4 || output->type() != CV_32F || output->size[0] != 1 ||
+      output->size[1] < 1 || output->size[1] > 2 || output->size[2] < 1 || output->size[3] < 1)
+    return unusable(where_, message("its output has another shape"));
+  if (!cv::checkRange(output->reshape(1, 1)))
+    return unusable(where_, message("its output contains numbers that are not finite"));
+  return probabilityOf(*output);
+}
+
+Result<cv::Mat1b> Network::mask(const cv::Mat& photograph) {
+  const Result<cv::Mat1f> sherd = probability(photograph);
   if (!sherd) return sherd.error();
   cv::Mat1f scaled;
   cv::resize(*sherd, scaled, photograph.size(), 0, 0, cv::INTER_LINEAR);
   return inBytes(scaled);
 }
 
-Result<cv::Mat1b> sherdProbability(const cv::Mat& photograph) {
-  const auto at = [&](int longer_px) {
-    return probability(photograph, shippedNetwork(), longer_px, "sherds.onnx");
+Result<std::vector<cv::Mat1b>> sherdProbabilities(std::span<const cv::Mat> photographs,
+                                                  const std::stop_token& stop) {
+  const auto shipped = [](int longer_px) {
+    return Network(std::string(shippedNetwork()), "sherds.onnx", longer_px);
   };
-  Result<cv::Mat1f> coarse = at(kFreeInput_px);
-  if (!coarse) return coarse.error();
-  if (std::max(photograph.cols, photograph.rows) <= kFreeInput_px) return inBytes(*coarse);
-  const Result<cv::Mat1f> fine = at(kFineInput_px);
-  if (!fine) return fine.error();
-  const cv::Mat1b inside = *coarse > 0.5;
-  cv::Mat1b along;
-  const int side = 2 * kAlongOutline_px + 1;
-  cv::morphologyEx(inside, along, cv::MORPH_GRADIENT, cv::Mat1b::ones(side, side));
-  cv::resize(along, along, fine->size(), 0, 0, cv::INTER_NEAREST);
-  cv::Mat1f sharp;
-  cv::resize(*coarse, sharp, fine->size(), 0, 0, cv::INTER_LINEAR);
-  cv::Mat1f((sharp + *fine) / 2).copyTo(sharp, along);
-  return inBytes(sharp);
+  std::vector<cv::Mat1f> coarse;
+  Network whole = shipped(kFreeInput_px);
+  for (const cv::Mat& photograph : photographs) {
+    if (stop.stop_requested()) return Error::cancelled();
+    Result<cv::Mat1f> seen = whole.probability(photograph);
+    if (!seen) return seen.error();
+    coarse.push_back(std::move(*seen));
+  }
+  whole = shipped(kFineInput_px);
+  std::vector<cv::Mat1b> found;
+  for (std::size_t i = 0; i < photographs.size(); ++i) {
+    if (stop.stop_requested()) return Error::cancelled();
+    if (std::max(photographs[i].cols, photographs[i].rows) <= kFreeInput_px) {
+      found.push_back(inBytes(coarse[i]));
+      continue;
+    }
+    const Result<cv::Mat1f> fine = whole.probability(photographs[i]);
+    if (!fine) return fine.error();
+    found.push_back(inBytes(sharperAlongOutlines(coarse[i], *fine)));
+  }
+  return found;
 }
 
 }  // namespace ostraka::segmentation

@@ -1,8 +1,12 @@
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <opencv2/core/mat.hpp>
+#include <span>
+#include <stop_token>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 
@@ -16,16 +20,39 @@ namespace ostraka::segmentation {
 Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph, int longer_px,
                                   const std::string& where);
 
-/// Mask of one photograph (CV_8UC3, BGR) by a laboratory's own network: ONNX, one image input
+/// A laboratory's own network (ONNX), ready for one photograph after another: one image input
 /// 1 x 3 x H x W (RGB, 0..1) of fixed or free size, output 1 x 1 x h x w (sherd) or 1 x 2 x h x w
-/// (background, sherd), probabilities where all its values lie within [0, 1], else logits. The soft
-/// result is scaled to the photograph.
-/// Errors: UnusableInput names the model and what was expected of it.
-Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx);
+/// (background, sherd), probabilities where all its values lie within [0, 1], else logits. Works on
+/// all processors, for one caller at a time.
+class Network {
+ public:
+  /// model: the file's bytes. longer_px: as networkInputSize. where: what errors name.
+  Network(std::string model, std::string where, int longer_px);
+  Network(Network&&) noexcept;
+  Network& operator=(Network&&) noexcept;
+  ~Network();
 
-/// Probability of sherd, 0..255, by Ostraka's own network (shippedNetwork) in a photograph
-/// (CV_8UC3, BGR), in the size that the network gives: at most 800 on the longer side. Works on all
-/// processors. Errors: UnusableInput.
-Result<cv::Mat1b> sherdProbability(const cv::Mat& photograph);
+  static Result<Network> read(const std::filesystem::path& onnx);
+
+  /// Of sherd in a photograph (CV_8UC3, BGR), in the size that the network gives.
+  /// Errors: UnusableInput names the model and what was expected of it.
+  Result<cv::Mat1f> probability(const cv::Mat& photograph);
+  /// The same scaled to the photograph, 0..255. Errors: as probability.
+  Result<cv::Mat1b> mask(const cv::Mat& photograph);
+
+ private:
+  struct Laid;
+  Result<void> layOut(cv::Size input);
+
+  std::string model_, where_;
+  int longer_px_;
+  std::unique_ptr<Laid> laid_;
+};
+
+/// Probability of sherd, 0..255, by Ostraka's own network (shippedNetwork) in each photograph
+/// (CV_8UC3, BGR), in the size that the network gives: at most 800 on the longer side.
+/// Errors: Cancelled, UnusableInput.
+Result<std::vector<cv::Mat1b>> sherdProbabilities(std::span<const cv::Mat> photographs,
+                                                  const std::stop_token& stop);
 
 }  // namespace ostraka::segmentation

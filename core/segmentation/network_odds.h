@@ -10,7 +10,7 @@ float networkLogOdds(int probability);
 
 /// One photograph's part in the learning, all of one size.
 struct NetworkSample {
-  cv::Mat1b probability;  ///< of sherd by the network, 0..255 (sherdProbability)
+  cv::Mat1b probability;  ///< of sherd by the network, 0..255 (sherdProbabilities)
   cv::Mat1f inside;       ///< 0..1: surely sherd, as hull::HullView has it
   cv::Mat1f clear;        ///< 0..1: surely bare plate, likewise
 };

@@ -3,7 +3,7 @@
 
 namespace ostraka::segmentation {
 
-/// Ostraka's own network (resources/network), ONNX, as maskByNetwork takes it.
+/// Ostraka's own network (resources/network), ONNX, as Network takes it.
 std::string_view shippedNetwork();
 
 }  // namespace ostraka::segmentation

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <opencv2/core.hpp>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -86,8 +87,14 @@ cv::Mat halves(int width, int height) {
   return picture;
 }
 
+Result<cv::Mat1b> maskBy(const std::filesystem::path& onnx, const cv::Mat& photograph) {
+  Result<Network> network = Network::read(onnx);
+  if (!network) return network.error();
+  return network->mask(photograph);
+}
+
 std::string refusalOf(const std::filesystem::path& onnx) {
-  const auto mask = maskByNetwork(halves(1024, 768), onnx);
+  const auto mask = maskBy(onnx, halves(1024, 768));
   if (mask) return "";
   EXPECT_EQ(mask.error().code, ErrorCode::UnusableInput);
   EXPECT_THAT(mask.error().sentence().english(), testing::HasSubstr(onnx.filename().string()));
@@ -97,7 +104,7 @@ std::string refusalOf(const std::filesystem::path& onnx) {
 TEST(NetworkMask, OneChannelOfLogitsBecomesTheLogisticFunction) {
   // 4 R - 4 B: +4 on red, -4 on blue; logistic(4) = 0.98201, times 255 = 250.4.
   const auto onnx = network("logit", {4, 0, -4}, {0}, 32, 64);
-  const auto mask = maskByNetwork(halves(64, 32), onnx);
+  const auto mask = maskBy(onnx, halves(64, 32));
   ASSERT_TRUE(mask.has_value()) << mask.error().sentence();
   EXPECT_EQ(mask->size(), cv::Size(64, 32));
   EXPECT_EQ((*mask)(16, 5), 250);
@@ -107,7 +114,7 @@ TEST(NetworkMask, OneChannelOfLogitsBecomesTheLogisticFunction) {
 TEST(NetworkMask, TwoChannelsOfLogitsAreBackgroundAndSherd) {
   // background = B, sherd = 3 R: differences 3 and -1; logistic 0.95257 and 0.26894.
   const auto onnx = network("softmax", {0, 0, 1, 3, 0, 0}, {0, 0}, 32, 64);
-  const auto mask = maskByNetwork(halves(64, 32), onnx);
+  const auto mask = maskBy(onnx, halves(64, 32));
   ASSERT_TRUE(mask.has_value()) << mask.error().sentence();
   EXPECT_EQ((*mask)(16, 5), 243);
   EXPECT_EQ((*mask)(16, 60), 69);
@@ -115,7 +122,7 @@ TEST(NetworkMask, TwoChannelsOfLogitsAreBackgroundAndSherd) {
 
 TEST(NetworkMask, ProbabilitiesAreTakenAsTheyAre) {
   const auto onnx = network("probability", {0.75F, 0, 0.25F}, {0}, 32, 64);
-  const auto mask = maskByNetwork(halves(64, 32), onnx);
+  const auto mask = maskBy(onnx, halves(64, 32));
   ASSERT_TRUE(mask.has_value()) << mask.error().sentence();
   EXPECT_EQ((*mask)(16, 5), 191);
   EXPECT_EQ((*mask)(16, 60), 64);
@@ -123,17 +130,31 @@ TEST(NetworkMask, ProbabilitiesAreTakenAsTheyAre) {
 
 TEST(NetworkMask, TheInputSizeComesFromTheModelAndTheMaskHasThePhotographsSize) {
   const auto onnx = network("small", {4, 0, -4}, {0}, 16, 16);
-  const auto mask = maskByNetwork(halves(200, 120), onnx);
+  const auto mask = maskBy(onnx, halves(200, 120));
   ASSERT_TRUE(mask.has_value()) << mask.error().sentence();
   EXPECT_EQ(mask->size(), cv::Size(200, 120));
   EXPECT_EQ((*mask)(60, 20), 250);
   EXPECT_EQ((*mask)(60, 180), 5);
 }
 
+// Laid out for one size, then another, then the first again: as a network fresh from its file.
+TEST(NetworkMask, PhotographsOfOtherSizesInBetweenChangeNothing) {
+  const auto onnx = network("sizes", {4, 0, -4}, {0}, 0, 0);
+  Result<Network> ready = Network::read(onnx);
+  ASSERT_TRUE(ready.has_value()) << ready.error().sentence();
+  for (const cv::Size size : {cv::Size(64, 32), cv::Size(96, 64), cv::Size(64, 32)}) {
+    const auto mask = ready->mask(halves(size.width, size.height));
+    ASSERT_TRUE(mask.has_value()) << mask.error().sentence();
+    EXPECT_EQ(mask->size(), size);
+    EXPECT_EQ((*mask)(16, 5), 250);
+    EXPECT_EQ((*mask)(16, size.width - 5), 5);
+  }
+}
+
 TEST(NetworkMask, AFileThatIsNoNetworkIsAnErrorThatNamesIt) {
   const auto path = std::filesystem::path(testing::TempDir()) / "text.onnx";
   ASSERT_TRUE(writeFileAtomically(path, "this is no network").has_value());
-  const auto mask = maskByNetwork(halves(64, 32), path);
+  const auto mask = maskBy(path, halves(64, 32));
   ASSERT_FALSE(mask.has_value());
   EXPECT_EQ(mask.error().code, ErrorCode::UnusableInput);
   EXPECT_THAT(mask.error().sentence(), testing::HasSubstr("text.onnx"));
@@ -141,7 +162,7 @@ TEST(NetworkMask, AFileThatIsNoNetworkIsAnErrorThatNamesIt) {
 
 TEST(NetworkMask, ThreeOutputChannelsAreRefused) {
   const auto onnx = network("three", {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}, 32, 64);
-  const auto mask = maskByNetwork(halves(64, 32), onnx);
+  const auto mask = maskBy(onnx, halves(64, 32));
   ASSERT_FALSE(mask.has_value());
   EXPECT_THAT(mask.error().sentence(), testing::HasSubstr("three.onnx"));
 }
@@ -201,18 +222,33 @@ TEST(NetworkMask, ALayerWithoutAnInputIsRefused) {
               testing::HasSubstr("cannot be run"));
 }
 
+// Three sizes in one series: large, upright, small enough for one look.
 TEST(ShippedNetwork, FindsNothingOnBarePaper) {
-  for (const cv::Size size : {cv::Size(1600, 1200), cv::Size(900, 1600), cv::Size(200, 60)}) {
-    const auto found = sherdProbability(cv::Mat(size, CV_8UC3, cv::Scalar(225, 230, 235)));
-    ASSERT_TRUE(found.has_value()) << found.error().sentence();
-    EXPECT_LE(std::max(found->cols, found->rows), 800);
-    EXPECT_LT(cv::mean(*found)[0], 10);
+  std::vector<cv::Mat> bare;
+  for (const cv::Size size : {cv::Size(1600, 1200), cv::Size(900, 1600), cv::Size(200, 60)})
+    bare.emplace_back(size, CV_8UC3, cv::Scalar(225, 230, 235));
+  const auto found = sherdProbabilities(bare, {});
+  ASSERT_TRUE(found.has_value()) << found.error().sentence();
+  ASSERT_EQ(found->size(), 3u);
+  for (const cv::Mat1b& of : *found) {
+    EXPECT_LE(std::max(of.cols, of.rows), 800);
+    EXPECT_LT(cv::mean(of)[0], 10);
   }
 }
 
 TEST(ShippedNetwork, TakesColourPhotographsOnly) {
-  EXPECT_FALSE(sherdProbability(cv::Mat(60, 80, CV_8UC1, cv::Scalar(0))).has_value());
-  EXPECT_FALSE(sherdProbability(cv::Mat()).has_value());
+  const std::vector<cv::Mat> grey{cv::Mat(60, 80, CV_8UC1, cv::Scalar(0))}, none{cv::Mat()};
+  EXPECT_FALSE(sherdProbabilities(grey, {}).has_value());
+  EXPECT_FALSE(sherdProbabilities(none, {}).has_value());
+}
+
+TEST(ShippedNetwork, StopsBetweenPhotographs) {
+  std::stop_source stop;
+  stop.request_stop();
+  const std::vector<cv::Mat> one{halves(64, 32)};
+  const auto found = sherdProbabilities(one, stop.get_token());
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().code, ErrorCode::Cancelled);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ packages="
   libsqlite3-dev libusb-1.0-0-dev libgphoto2-dev libexif-dev libheif-dev libraw-dev libqrencode-dev libzxingcore-dev
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
   libvtk9-dev pkgconf poppler-utils xvfb xauth openbox libgl1-mesa-dri fonts-dejavu-core
-  libumockdev-dev umockdev
+  libumockdev-dev umockdev libeatmydata1
   libicu-dev libfreetype-dev libfontconfig-dev libjpeg-dev libembree-dev nlohmann-json3-dev libcli11-dev libssl-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   python3 python3-numpy python3-scipy colmap

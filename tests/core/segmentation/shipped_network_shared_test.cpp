@@ -54,8 +54,9 @@ TEST(ShippedNetworkOnATelephonesPhotographs, FindsTheApple) {
   const fs::path apple = fs::path(OSTRAKA_SHARED_DIR) / "real/apple";
   std::vector<cv::Mat> pictures, truths;
   for (const std::string name : {"00", "10", "20", "30"}) {
+    const fs::path mask = apple / "masks" / (name + ".png");
     pictures.push_back(cv::imread((apple / "photographs" / (name + ".jpg")).string()));
-    truths.push_back(cv::imread((apple / "masks" / (name + ".png")).string(), cv::IMREAD_GRAYSCALE));
+    truths.push_back(cv::imread(mask.string(), cv::IMREAD_GRAYSCALE));
   }
   EXPECT_GT(iouOf(pictures, truths), 0.75);  // one that knows only clay reaches 0.12
 }

@@ -23,6 +23,18 @@ cv::Mat_<Pixel> over(const DensePhotograph& photograph, std::span<const std::uin
                          reinterpret_cast<Pixel*>(const_cast<std::uint8_t*>(bytes.data())));
 }
 
+rig::Intrinsics cameraOf(const DensePhotograph& p) {
+  const std::array<double, 12>& d = p.distortion;
+  const bool further = std::any_of(d.begin() + 5, d.end(), [](double k) { return k != 0; });
+  return {p.width,
+          p.height,
+          p.fx,
+          p.fy,
+          p.cx,
+          p.cy,
+          {d, p.fisheye ? rig::Lens::Fisheye : further ? rig::Lens::Full : rig::Lens::Standard}};
+}
+
 // Focal lengths from a fisheye's to a telescope's, in widths of the photograph.
 bool isCamera(const DensePhotograph& p) {
   const double side = std::max(p.width, p.height);
@@ -30,7 +42,8 @@ bool isCamera(const DensePhotograph& p) {
   const auto isCentre = [&](double c) { return std::abs(c) < 1000 * side; };
   return isFocal(p.fx) && isFocal(p.fy) && isCentre(p.cx) && isCentre(p.cy) &&
          std::all_of(p.distortion.begin(), p.distortion.end(),
-                     [](double k) { return std::isfinite(k); });
+                     [](double k) { return std::isfinite(k); }) &&
+         !cameraOf(p).folds();
 }
 
 Result<stereo::View> asView(const DensePhotograph& photograph, std::size_t index) {
@@ -53,9 +66,7 @@ Result<stereo::View> asView(const DensePhotograph& photograph, std::size_t index
   cv::cvtColor(over<cv::Vec3b>(photograph, photograph.rgb), view.photograph, cv::COLOR_RGB2BGR);
   view.mask = photograph.mask.empty() ? stereo::possibleObject(view.photograph)
                                       : over<std::uint8_t>(photograph, photograph.mask).clone();
-  view.camera.intrinsics = {photograph.width,     photograph.height, photograph.fx,
-                            photograph.fy,        photograph.cx,     photograph.cy,
-                            photograph.distortion};
+  view.camera.intrinsics = cameraOf(photograph);
   view.camera.camera_from_plate = *pose;
   view.camera.file = std::to_string(index);
   return view;

@@ -19,9 +19,11 @@ struct DensePhotograph {
   std::span<const std::uint8_t> rgb;   ///< 3 * width * height, sRGB, rows from the top
   std::span<const std::uint8_t> mask;  ///< width * height, 0 = background, 255 = object; or empty:
                                        ///< what is lit before a dark background is the object
-  double fx = 0, fy = 0, cx = 0, cy = 0;                                ///< pixels
-  std::array<double, 5> distortion{};                                   ///< OpenCV's k1 k2 p1 p2 k3
+  double fx = 0, fy = 0, cx = 0, cy = 0;  ///< pixels
+  /// OpenCV's k1 k2 p1 p2 k3 k4 k5 k6 s1 s2 s3 s4; of a fisheye k1 k2 k3 k4.
+  std::array<double, 12> distortion{};
   Eigen::Isometry3d camera_from_world = Eigen::Isometry3d::Identity();  ///< mm
+  bool fisheye = false;  ///< whether distortion is of cv::fisheye
 };
 
 struct DenseCloud {

@@ -3,6 +3,7 @@
 #include <ceres/ceres.h>
 #include <ceres/rotation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -16,7 +17,7 @@ namespace {
 // A residual beyond three standard deviations counts less and less.
 constexpr double kLossScale = 3.0;
 
-using IntrinsicsBlock = std::array<double, 9>;  // fx fy cx cy k1 k2 p1 p2 k3
+using IntrinsicsBlock = std::array<double, 9>;  // fx fy cx cy, then the lens's first five terms
 using rig::PoseBlock, rig::poseFrom, rig::toBlock;
 
 IntrinsicsBlock toBlock(const rig::Intrinsics& i) {
@@ -39,15 +40,15 @@ void transform(const T* pose, const T* p, T* out) {
 
 // Intrinsics::project for derivatives.
 template <class T>
-void project(const T* i, const T* p, T* pixel) {
-  const T x = p[0] / p[2], y = p[1] / p[2], r2 = x * x + y * y;
-  const T radial = T(1) + r2 * (i[4] + r2 * (i[5] + r2 * i[8]));
-  pixel[0] = i[0] * (x * radial + T(2) * i[6] * x * y + i[7] * (r2 + T(2) * x * x)) + i[2];
-  pixel[1] = i[1] * (y * radial + i[6] * (r2 + T(2) * y * y) + T(2) * i[7] * x * y) + i[3];
+void project(const rig::Distortion& lens, const T* i, const T* p, T* pixel) {
+  T bent[2];
+  rig::bend(lens, i + 4, T(p[0] / p[2]), T(p[1] / p[2]), bent);
+  for (int k = 0; k < 2; ++k) pixel[k] = i[k] * bent[k] + i[2 + k];
 }
 
 struct PlateCornerCost {
   PlateCorner corner;
+  rig::Distortion lens;
   template <class T>
   bool operator()(const T* intrinsics, const T* camera, const T* angle, const T* plate,
                   const T* inset, const T* print_error, const T* scale, T* out) const {
@@ -62,7 +63,7 @@ struct PlateCornerCost {
                          on_table[2]};
     transform(camera, turned, in_camera);
     if (in_camera[2] < T(1)) return false;  // behind or inside the lens
-    project(intrinsics, in_camera, pixel);
+    project(lens, intrinsics, in_camera, pixel);
     for (int k = 0; k < 2; ++k)
       out[k] = (pixel[k] - inset[0] * corner.outward[k] - corner.pixel[k]) / corner.sd_px;
     return true;
@@ -71,13 +72,14 @@ struct PlateCornerCost {
 
 struct BoardCornerCost {
   BoardCorner corner;
+  rig::Distortion lens;
   template <class T>
   bool operator()(const T* intrinsics, const T* pose, T* out) const {
     const T point[3] = {T(corner.point.x()), T(corner.point.y()), T(corner.point.z())};
     T in_camera[3], pixel[2];
     transform(pose, point, in_camera);
     if (in_camera[2] < T(1)) return false;
-    project(intrinsics, in_camera, pixel);
+    project(lens, intrinsics, in_camera, pixel);
     for (int k = 0; k < 2; ++k) out[k] = (pixel[k] - corner.pixel[k]) / corner.sd_px;
     return true;
   }
@@ -227,8 +229,9 @@ class Adjustment {
   void add(const PlateCorner& c) {
     side_seen_[c.side] = true;
     using Cost = ceres::AutoDiffCostFunction<PlateCornerCost, 2, 9, 6, 1, 6, 1, 3, 1>;
-    problem_.AddResidualBlock(new Cost(new PlateCornerCost{c}), new ceres::CauchyLoss(kLossScale),
-                              intrinsics_[c.camera].data(), cameras_[c.camera].data(),
+    problem_.AddResidualBlock(new Cost(new PlateCornerCost{c, lensOf(c.camera)}),
+                              new ceres::CauchyLoss(kLossScale), intrinsics_[c.camera].data(),
+                              cameras_[c.camera].data(),
                               &state_.angles_rad[c.side][c.stop], plates_[c.side].data(),
                               &insets_[c.camera], state_.print_errors_mm[c.plate_point].data(),
                               &state_.plate_scale);
@@ -236,8 +239,13 @@ class Adjustment {
 
   void add(const BoardCorner& c) {
     using Cost = ceres::AutoDiffCostFunction<BoardCornerCost, 2, 9, 6>;
-    problem_.AddResidualBlock(new Cost(new BoardCornerCost{c}), new ceres::CauchyLoss(kLossScale),
-                              intrinsics_[c.camera].data(), boards_[c.view].data());
+    problem_.AddResidualBlock(new Cost(new BoardCornerCost{c, lensOf(c.camera)}),
+                              new ceres::CauchyLoss(kLossScale), intrinsics_[c.camera].data(),
+                              boards_[c.view].data());
+  }
+
+  const rig::Distortion& lensOf(int camera) const {
+    return state_.cameras[camera].intrinsics.distortion;
   }
 
   void addLensPrior(const rig::Intrinsics& size, IntrinsicsBlock& lens) {
@@ -325,11 +333,17 @@ class Adjustment {
   }
 
   // A sixth-order term that the start leaves at zero is not determined by what was photographed;
-  // free, it would trade off against k2 and the principal point.
+  // free, it would trade off against k2 and the principal point. Terms of more than the standard
+  // lens make up for each other, and what is known of lenses beforehand is not about them.
   void keepUndeterminedTerms() {
     if (options_.cameras != Cameras::Free) return;
-    for (IntrinsicsBlock& i : intrinsics_)
-      if (i[8] == 0) problem_.SetManifold(i.data(), new ceres::SubsetManifold(9, {8}));
+    for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
+      double* i = intrinsics_[c].data();
+      if (lensOf(static_cast<int>(c)).lens != rig::Lens::Standard)
+        problem_.SetManifold(i, new ceres::SubsetManifold(9, {4, 5, 6, 7, 8}));
+      else if (i[8] == 0)
+        problem_.SetManifold(i, new ceres::SubsetManifold(9, {8}));
+    }
   }
 
   void fixGauge() {
@@ -368,7 +382,7 @@ class Adjustment {
       camera.intrinsics.fy = i[1];
       camera.intrinsics.cx = i[2];
       camera.intrinsics.cy = i[3];
-      camera.intrinsics.distortion = {i[4], i[5], i[6], i[7], i[8]};
+      std::copy(i.begin() + 4, i.end(), camera.intrinsics.distortion.terms.begin());
     }
     for (int s = 0; s < 2; ++s) state_.turntable_from_plate[s] = poseFrom(plates_[s]);
     for (std::size_t v = 0; v < boards_.size(); ++v)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/message.h"
 #include "colmap/colmap_format.h"
@@ -32,7 +33,41 @@ constexpr double kCentre = 0.5;  // of a pixel in COLMAP's convention; in ours 0
 
 bool valid(const rig::Intrinsics& i) {
   return i.width > 0 && i.height > 0 && i.width <= 100'000 && i.height <= 100'000 &&
-         std::isfinite(i.fx + i.fy + i.cx + i.cy) && i.fx > 0 && i.fy > 0;
+         std::isfinite(i.fx + i.fy + i.cx + i.cy) && i.fx > 0 && i.fy > 0 &&
+         std::all_of(i.distortion.terms.begin(), i.distortion.terms.end(),
+                     [](double term) { return std::isfinite(term); }) &&
+         !i.folds();
+}
+
+// From COLMAP's parameters behind the focal length and the centre; nothing where none of ours is
+// the same.
+std::optional<rig::Distortion> lensOf(int model, const std::vector<double>& p) {
+  using enum rig::Lens;
+  switch (model) {
+    case 0:
+    case 1:
+      return rig::Distortion{};
+    case 2:
+      return rig::Distortion{{p[3]}, Standard};
+    case 3:
+      return rig::Distortion{{p[3], p[4]}, Standard};
+    case 4:
+      return rig::Distortion{{p[4], p[5], p[6], p[7]}, Standard};
+    case 5:
+      return rig::Distortion{{p[4], p[5], p[6], p[7]}, Fisheye};
+    case 6:
+      return rig::Distortion{{p[4], p[5], p[6], p[7], p[8], p[9], p[10], p[11]},
+                             p[9] == 0 && p[10] == 0 && p[11] == 0 ? Standard : Full};
+    case 8:
+      return rig::Distortion{{p[3]}, Fisheye};
+    case 9:
+      return rig::Distortion{{p[3], p[4]}, Fisheye};
+    case 10:
+      if (p[6] != 0 || p[7] != 0 || p[10] != 0 || p[11] != 0) return std::nullopt;
+      return rig::Distortion{{p[4], p[5], p[8], p[9]}, Fisheye};
+    default:
+      return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -53,11 +88,11 @@ ColmapCamera toColmap(const rig::Intrinsics& i, std::uint32_t id) {
   camera.parameters = {i.fx, i.fy, i.cx + kCentre, i.cy + kCentre};
   camera.model = 1;
   if (!i.hasDistortion()) return camera;
-  const std::array<double, 5>& d = i.distortion;
+  const rig::Distortion& d = i.distortion;
   camera.parameters.insert(camera.parameters.end(), {d[0], d[1], d[2], d[3]});
-  camera.model = 4;
-  if (d[4] == 0) return camera;
-  camera.parameters.insert(camera.parameters.end(), {d[4], 0, 0, 0});
+  camera.model = d.lens == rig::Lens::Fisheye ? 5 : 4;
+  if (d.lens == rig::Lens::Fisheye || (d.lens == rig::Lens::Standard && d[4] == 0)) return camera;
+  camera.parameters.insert(camera.parameters.end(), {d[4], d[5], d[6], d[7]});
   camera.model = 6;
   return camera;
 }
@@ -77,21 +112,15 @@ Result<rig::Intrinsics> fromColmap(const ColmapCamera& camera) {
   rig::Intrinsics i;
   i.width = static_cast<int>(camera.width);
   i.height = static_cast<int>(camera.height);
-  const bool one_focal = camera.model == 0 || camera.model == 2 || camera.model == 3;
+  const std::string name = colmapModelName(camera.model);
+  const bool one_focal = name.starts_with("SIMPLE_") || name.starts_with("RADIAL");
   i.fx = p[0];
   i.fy = one_focal ? p[0] : p[1];
   i.cx = p[one_focal ? 1 : 2] - kCentre;
   i.cy = p[one_focal ? 2 : 3] - kCentre;
-  if (camera.model == 2)
-    i.distortion[0] = p[3];
-  else if (camera.model == 3)
-    i.distortion = {p[3], p[4], 0, 0, 0};
-  else if (camera.model == 4)
-    i.distortion = {p[4], p[5], p[6], p[7], 0};
-  else if (camera.model == 6 && p[9] == 0 && p[10] == 0 && p[11] == 0)
-    i.distortion = {p[4], p[5], p[6], p[7], p[8]};
-  else if (camera.model > 1)
-    return unusable();
+  const std::optional<rig::Distortion> lens = lensOf(camera.model, p);
+  if (!lens) return unusable();
+  i.distortion = *lens;
   if (!valid(i)) return unusable();
   return i;
 }

@@ -15,7 +15,7 @@ namespace ostraka::colmap {
 /// conversions below shift by that, these structs do not.
 struct ColmapCamera {
   std::uint32_t id = 0;
-  int model = 1;  ///< COLMAP's number: 0 SIMPLE_PINHOLE ... 4 OPENCV, 6 FULL_OPENCV
+  int model = 1;  ///< COLMAP's number: 0 SIMPLE_PINHOLE ... 4 OPENCV, 5 OPENCV_FISHEYE
   std::uint64_t width = 0, height = 0;
   std::vector<double> parameters;
 };
@@ -54,9 +54,11 @@ Result<void> writeColmapModel(const std::filesystem::path& folder, const ColmapM
 /// Number of parameters of a camera model, 0 for one that is not known here.
 int colmapParameterCount(int model);
 
-/// PINHOLE without distortion, OPENCV without k3, FULL_OPENCV otherwise.
+/// PINHOLE without distortion, OPENCV without k3, FULL_OPENCV with more, OPENCV_FISHEYE. The terms of
+/// a thin prism, for which COLMAP has no model, must be 0.
 ColmapCamera toColmap(const rig::Intrinsics& intrinsics, std::uint32_t id);
-/// Errors: UnusableInput (a model that is no pinhole with k1 k2 p1 p2 k3).
+/// Errors: UnusableInput (FOV, a THIN_PRISM_FISHEYE that is more than a fisheye, numbers that are no
+/// camera).
 Result<rig::Intrinsics> fromColmap(const ColmapCamera& camera);
 
 /// Cameras and images with ids from 1 in their order, one camera per image; names[i] is the file

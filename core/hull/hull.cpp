@@ -27,7 +27,13 @@ struct FastCamera {
   Eigen::Matrix3d rotation;
   Eigen::Vector3d translation;
   const rig::Intrinsics* intrinsics;
+  double reach;
 };
+
+// Beyond its reach a lens model may fold what lies beside the picture back into it.
+bool inSight(const Eigen::Vector3d& p_camera, double reach) {
+  return p_camera.z() > 0 && p_camera.head<2>().norm() <= reach * p_camera.z();
+}
 
 // Leaves 1 where a thing stands, 0 elsewhere.
 void dropFloating(const HullSpace& space, std::vector<unsigned char>& voxels) {
@@ -68,7 +74,8 @@ std::vector<unsigned char> carveHull(const HullSpace& space, std::span<const Hul
   for (const std::size_t v : order)
     cameras.push_back({views[v].image->camera_from_plate.linear(),
                        views[v].image->camera_from_plate.translation(),
-                       &views[v].image->intrinsics});
+                       &views[v].image->intrinsics,
+                       views[v].image->intrinsics.distortion.reach()});
   const Eigen::Vector3i n = space.count;
   std::vector<unsigned char> voxels(static_cast<std::size_t>(n.x()) * n.y() * n.z(), 0);
   const auto decide = [&](const Eigen::Vector3d& p) {
@@ -76,7 +83,7 @@ std::vector<unsigned char> carveHull(const HullSpace& space, std::span<const Hul
     int seen = 0;
     for (std::size_t k = 0; k < cameras.size(); ++k) {
       const Eigen::Vector3d q = cameras[k].rotation * p + cameras[k].translation;
-      if (q.z() <= 0) continue;
+      if (!inSight(q, cameras[k].reach)) continue;
       const Eigen::Vector2d pixel = cameras[k].intrinsics->project(q);
       const HullView& view = views[order[k]];
       const int x = static_cast<int>(std::floor((pixel.x() + 0.5) / options.reduction));
@@ -110,6 +117,7 @@ Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned c
   cv::Mat1f near(view.clear.size(), std::numeric_limits<float>::max()), far(near.size(), 0.F),
       height(near.size(), 0.F);
   const rig::PosedImage& image = *view.image;
+  const double reach = image.intrinsics.distortion.reach();
   const Eigen::Vector3i n = space.count;
   for (int z = 0; z < n.z(); ++z)
     for (int y = 0; y < n.y(); ++y)
@@ -118,7 +126,7 @@ Silhouette silhouetteOfHull(const HullSpace& space, const std::vector<unsigned c
         if (value == 0) continue;
         const Eigen::Vector3d q =
             image.camera_from_plate * (space.low + space.pitch * Eigen::Vector3d(x, y, z));
-        if (q.z() <= 0) continue;
+        if (!inSight(q, reach)) continue;
         const Eigen::Vector2d pixel = image.intrinsics.project(q);
         const double half = 0.87 * space.pitch * image.intrinsics.fx / q.z();
         const auto cell = [&](double v) {

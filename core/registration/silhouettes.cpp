@@ -33,12 +33,17 @@ constexpr double kLower_px = 0.5;
 
 using Derivative = Eigen::Matrix<double, 2, 3>;
 
-// d(pixel)/d(point in the plate frame), the lens' distortion left aside (its slope is below 1 %).
+// d(pixel)/d(point in the plate frame), the distortion of a standard lens left aside (its slope is
+// below 1 %).
 Derivative derivative(const rig::PosedImage& camera, const Vector3d& p_plate) {
   const Vector3d p = camera.camera_from_plate * p_plate;
   const double fx = camera.intrinsics.fx, fy = camera.intrinsics.fy;
   Derivative d;
   d << fx / p.z(), 0, -fx * p.x() / (p.z() * p.z()), 0, fy / p.z(), -fy * p.y() / (p.z() * p.z());
+  const rig::Distortion& lens = camera.intrinsics.distortion;
+  if (lens.lens != rig::Lens::Standard)
+    d = Eigen::DiagonalMatrix<double, 2>(fx, fy) * lens.slope(p.head<2>() / p.z()) *
+        Eigen::DiagonalMatrix<double, 2>(1 / fx, 1 / fy) * d;
   return d * camera.camera_from_plate.linear();
 }
 

@@ -12,14 +12,6 @@
 namespace ostraka::rig {
 namespace {
 
-// OpenCV's model: radial k1 k2 k3, tangential p1 p2.
-Eigen::Vector2d distorted(const std::array<double, 5>& d, const Eigen::Vector2d& n) {
-  const double r2 = n.squaredNorm();
-  const double radial = 1 + r2 * (d[0] + r2 * (d[1] + r2 * d[4]));
-  return {n.x() * radial + 2 * d[2] * n.x() * n.y() + d[3] * (r2 + 2 * n.x() * n.x()),
-          n.y() * radial + d[2] * (r2 + 2 * n.y() * n.y()) + 2 * d[3] * n.x() * n.y()};
-}
-
 // Cameras without a plate stand in a frame of their own, as scans do.
 constexpr double kMost_mm = limits::kScanReach_mm.most;
 
@@ -37,13 +29,6 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
     image.intrinsics.fy = numberIn(k.at(1).at(1), "K");
     image.intrinsics.cx = numberIn(k.at(0).at(2), "K");
     image.intrinsics.cy = numberIn(k.at(1).at(2), "K");
-    const std::vector<double> d = value.value("dist", std::vector<double>{});
-    if (d.size() > 5)
-      return Error::unusable(message("More than five distortion terms for '%1' are not supported; "
-                                     "undistort its photographs first.",
-                                     image.file),
-                             where);
-    std::copy(d.begin(), d.end(), image.intrinsics.distortion.begin());
     Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
     for (int r = 0; r < 3; ++r) {
       for (int c = 0; c < 3; ++c) pose(r, c) = numberIn(value.at("R").at(r).at(c), "R");
@@ -59,6 +44,7 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
     if (!rigid || !(i.fx > 0 && i.fy > 0))
       return Error::unusable(
           message("The camera of '%1' has no valid K, R, t or size.", image.file), where);
+    readLens(value, image.intrinsics);
     image.camera_from_plate.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
     image.camera_from_plate.translation() = pose.topRightCorner<3, 1>();
   } catch (const nlohmann::json::exception& refused) {
@@ -109,25 +95,17 @@ Intrinsics reducedTo(const Intrinsics& camera, double megapixels) {
 }
 
 bool Intrinsics::hasDistortion() const {
-  for (const double d : distortion)
-    if (d != 0) return true;
-  return false;
+  return distortion != Distortion{};
 }
 
 Eigen::Vector2d Intrinsics::project(const Eigen::Vector3d& p) const {
-  const Eigen::Vector2d n = distorted(distortion, {p.x() / p.z(), p.y() / p.z()});
+  Eigen::Vector2d n;
+  bend(distortion, distortion.terms.data(), p.x() / p.z(), p.y() / p.z(), n.data());
   return {fx * n.x() + cx, fy * n.y() + cy};
 }
 
 Eigen::Vector2d Intrinsics::unproject(const Eigen::Vector2d& pixel) const {
-  const Eigen::Vector2d target((pixel.x() - cx) / fx, (pixel.y() - cy) / fy);
-  Eigen::Vector2d n = target;
-  for (int round = 0; round < 50; ++round) {
-    const Eigen::Vector2d error = distorted(distortion, n) - target;
-    n -= error;
-    if (error.squaredNorm() < 1e-24) break;
-  }
-  return n;
+  return distortion.unbent({(pixel.x() - cx) / fx, (pixel.y() - cy) / fy});
 }
 
 Result<std::vector<PosedImage>> readCameras(const std::filesystem::path& file) {
@@ -152,18 +130,19 @@ Result<void> writeCameras(const std::filesystem::path& file,
     const Intrinsics& i = image.intrinsics;
     const Eigen::Matrix3d r = image.camera_from_plate.linear();
     const Eigen::Vector3d t = image.camera_from_plate.translation();
-    list.push_back(
-        {{"file", image.file},
-         {"side", batch::name(image.side)},
-         {"camera", image.camera},
-         {"stop", image.stop},
-         {"width", i.width},
-         {"height", i.height},
-         {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}},
-         {"dist", i.distortion},
-         {"R",
-          {{r(0, 0), r(0, 1), r(0, 2)}, {r(1, 0), r(1, 1), r(1, 2)}, {r(2, 0), r(2, 1), r(2, 2)}}},
-         {"t", {t.x(), t.y(), t.z()}}});
+    nlohmann::ordered_json json = {{"file", image.file},
+                                   {"side", batch::name(image.side)},
+                                   {"camera", image.camera},
+                                   {"stop", image.stop},
+                                   {"width", i.width},
+                                   {"height", i.height},
+                                   {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}}};
+    writeLens(i.distortion, json);
+    json["R"] = {{r(0, 0), r(0, 1), r(0, 2)},
+                 {r(1, 0), r(1, 1), r(1, 2)},
+                 {r(2, 0), r(2, 1), r(2, 2)}};
+    json["t"] = {t.x(), t.y(), t.z()};
+    list.push_back(std::move(json));
   }
   return writeJson(file, {{"unit", "mm"}, {"images", list}});
 }

@@ -24,12 +24,12 @@ nlohmann::ordered_json toJson(const RigCamera& camera) {
       {"camera", camera.camera},
       {"width", i.width},
       {"height", i.height},
-      {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}},
-      {"dist", i.distortion},
-      {"camera_from_turntable", ostraka::toJson(camera.camera_from_turntable)},
-      {"focal_sd_px", camera.focal_sd_px},
-      {"intrinsics_rms_px", camera.intrinsics_rms_px},
-      {"marker_inset_px", camera.marker_inset_px}};
+      {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}}};
+  writeLens(i.distortion, json);
+  json["camera_from_turntable"] = ostraka::toJson(camera.camera_from_turntable);
+  json["focal_sd_px"] = camera.focal_sd_px;
+  json["intrinsics_rms_px"] = camera.intrinsics_rms_px;
+  json["marker_inset_px"] = camera.marker_inset_px;
   if (camera.covariance.empty()) return json;
   json["covariance_of"] = {"fx", "fy", "cx", "cy", "k1", "k2", "p1", "p2",
                            "k3", "rx", "ry", "rz", "tx", "ty", "tz"};
@@ -57,9 +57,8 @@ Result<RigCamera> cameraFromJson(const nlohmann::json& value, const std::filesys
   i.fy = numberIn(k.at(1).at(1), "K", kLeastFocal_px, kMost_px);
   i.cx = numberIn(k.at(0).at(2), "K", -kMost_px, kMost_px);
   i.cy = numberIn(k.at(1).at(2), "K", -kMost_px, kMost_px);
-  const nlohmann::json& terms = value.at("dist");
-  for (std::size_t d = 0; d < i.distortion.size(); ++d)
-    i.distortion[d] = numberIn(terms.at(d), "dist");
+  (void)value.at("dist");
+  readLens(value, i);
   const Result<Eigen::Isometry3d> pose =
       isometryFromJson(value.at("camera_from_turntable"), file.string(), limits::kPoseReach_mm);
   if (!pose) return pose.error();

@@ -1,6 +1,7 @@
 #include "stereo/frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -14,6 +15,9 @@ constexpr float kMinCoverage = 0.5F;
 constexpr double kPresmoothing_px = 0.4;
 /// Before every second pixel is left out.
 constexpr double kHalvingBlur_px = 1.0;
+/// Beyond the photograph frames end at multiples of it, so that their levels lie on each other.
+constexpr double kBlock_px = 16;
+constexpr double kBorder_px = 2;  // of a frame, which counts as outside
 
 /// Blur that reads nothing outside the mask: blur(image mask) / blur(mask).
 cv::Mat1f blurInside(const cv::Mat1f& image, const cv::Mat1f& inside, double sigma_px) {
@@ -62,40 +66,20 @@ void blank(Frame& frame, const cv::Mat1f& covered) {
     }
 }
 
-/// Where the pixels of a part of the picture without distortion lie in the picture as it was shot.
-struct Lens {
-  cv::Rect part;
-  cv::Mat map_x, map_y;  ///< empty: in the same place
-
-  Lens(const rig::Intrinsics& lens, const cv::Rect& wanted) : part(wanted) {
-    if (!lens.hasDistortion()) return;
-    const cv::Matx33d k(lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1);
-    const cv::Matx33d moved(lens.fx, 0, lens.cx - part.x, 0, lens.fy, lens.cy - part.y, 0, 0, 1);
-    cv::initUndistortRectifyMap(k, lens.distortion, cv::noArray(), moved, part.size(), CV_32F,
-                                map_x, map_y);
-  }
-  cv::Mat1f seen(const cv::Mat& picture, int interpolation, int border) const {
-    if (map_x.empty()) return picture(part).clone();
-    cv::Mat1f result;
-    cv::remap(picture, result, map_x, map_y, interpolation, border, 0);
-    return result;
-  }
-};
-
-cv::Mat1f coverageOf(const View& view, const Lens& lens) {
+cv::Mat1f coverageOf(const View& view, const StraightPart& straight) {
   cv::Mat coverage;
   if (view.mask.empty())
     coverage = cv::Mat1f(view.camera.intrinsics.height, view.camera.intrinsics.width, 1.0F);
   else
     view.mask.convertTo(coverage, CV_32F, 1.0 / 255.0);
-  return lens.seen(coverage, cv::INTER_LINEAR, cv::BORDER_CONSTANT);
+  return straight.of(coverage, cv::INTER_LINEAR, cv::BORDER_CONSTANT);
 }
 
-cv::Mat1f greyOf(const cv::Mat& photograph, const Lens& lens) {
+cv::Mat1f greyOf(const cv::Mat& photograph, const StraightPart& straight) {
   cv::Mat grey8, grey;
   cv::cvtColor(photograph, grey8, cv::COLOR_BGR2GRAY);
   grey8.convertTo(grey, CV_32F);
-  return lens.seen(grey, cv::INTER_LANCZOS4, cv::BORDER_REPLICATE);
+  return straight.of(grey, cv::INTER_LANCZOS4, cv::BORDER_REPLICATE);
 }
 
 /// The view's camera for a part of its pixels.
@@ -113,10 +97,6 @@ Frame frameOf(const View& view, const cv::Rect& part) {
   frame.translation = view.camera.camera_from_plate.translation().cast<float>();
   frame.centre = view.camera.centre().cast<float>();
   return frame;
-}
-
-cv::Rect wholeOf(const View& view) {
-  return {0, 0, view.camera.intrinsics.width, view.camera.intrinsics.height};
 }
 
 /// Without grey values where there are none.
@@ -142,14 +122,75 @@ Frame halved(const Frame& fine, const cv::Mat1f& blurred) {
 
 }  // namespace
 
+StraightPart::StraightPart(const rig::Intrinsics& camera, const cv::Rect& part) : part_(part) {
+  if (!camera.hasDistortion()) return;
+  const cv::Matx33d k(camera.fx, 0, camera.cx, 0, camera.fy, camera.cy, 0, 0, 1);
+  const double cx = camera.cx - part.x, cy = camera.cy - part.y;
+  const cv::Matx33d moved(camera.fx, 0, cx, 0, camera.fy, cy, 0, 0, 1);
+  const std::vector<double> terms = camera.distortion.list();
+  if (camera.distortion.lens == rig::Lens::Fisheye)
+    cv::fisheye::initUndistortRectifyMap(k, terms, cv::Matx33d::eye(), moved, part.size(), CV_32F,
+                                         map_x_, map_y_);
+  else
+    cv::initUndistortRectifyMap(k, terms, cv::noArray(), moved, part.size(), CV_32F, map_x_,
+                                map_y_);
+  // Beyond, the model folds back into the photograph, which does not show that.
+  const double most = camera.distortion.reach() * camera.distortion.reach();
+  const auto squared = [&](double x, double y) {
+    return std::pow((x - cx) / camera.fx, 2) + std::pow((y - cy) / camera.fy, 2);
+  };
+  if (squared(cx < part.width / 2.0 ? part.width : 0, cy < part.height / 2.0 ? part.height : 0) <
+      most)
+    return;
+  for (int y = 0; y < part.height; ++y)
+    for (int x = 0; x < part.width; ++x)
+      if (squared(x, y) > most) map_x_.at<float>(y, x) = map_y_.at<float>(y, x) = -1e4F;
+}
+
+cv::Mat StraightPart::of(const cv::Mat& picture, int interpolation, int border) const {
+  if (map_x_.empty()) return picture(part_).clone();
+  cv::Mat result;
+  cv::remap(picture, result, map_x_, map_y_, interpolation, border, 0);
+  return result;
+}
+
+cv::Rect wholeOf(const View& view) {
+  const rig::Intrinsics& camera = view.camera.intrinsics;
+  const cv::Rect photograph(0, 0, camera.width, camera.height);
+  if (!camera.hasDistortion()) return photograph;
+  const cv::Rect object = view.mask.empty() ? photograph : cv::boundingRect(view.mask);
+  if (object.empty()) return photograph;
+  // The outermost stays outermost.
+  Eigen::AlignedBox2d shown;
+  const auto extend = [&](int x, int y) {
+    const Eigen::Vector2d n = camera.unproject({x, y});
+    shown.extend(Eigen::Vector2d(camera.fx * n.x() + camera.cx, camera.fy * n.y() + camera.cy));
+  };
+  for (int x = object.x; x < object.x + object.width; ++x)
+    for (const int y : {object.y, object.y + object.height - 1}) extend(x, y);
+  for (int y = object.y; y < object.y + object.height; ++y)
+    for (const int x : {object.x, object.x + object.width - 1}) extend(x, y);
+  const auto beyond = [](double pixels, int most) {
+    return pixels <= 0 ? 0
+                       : static_cast<int>(std::min(std::ceil((pixels + kBorder_px) / kBlock_px),
+                                                   std::floor(most / kBlock_px)) *
+                                          kBlock_px);
+  };
+  const int left = beyond(-shown.min().x(), camera.width),
+            top = beyond(-shown.min().y(), camera.height),
+            right = beyond(shown.max().x() - (camera.width - 1), camera.width),
+            bottom = beyond(shown.max().y() - (camera.height - 1), camera.height);
+  return {-left, -top, left + camera.width + right, top + camera.height + bottom};
+}
+
 std::vector<Frame> buildPyramid(const View& view, const cv::Mat& photograph, const cv::Rect& part,
                                 int levels) {
   std::vector<Frame> pyramid;
-  const Lens lens(view.camera.intrinsics, part);
+  const StraightPart straight(view.camera.intrinsics, part);
   Frame frame = frameOf(view, part);
-  frame.coverage = coverageOf(view, lens);
+  frame.coverage = coverageOf(view, straight);
   frame.grey =
-      blurInside(greyOf(photograph, lens), mostlyCovered(frame.coverage), kPresmoothing_px);
+      blurInside(greyOf(photograph, straight), mostlyCovered(frame.coverage), kPresmoothing_px);
   for (int level = 0; level < levels; ++level) {
     const cv::Mat1f covered = mostlyCovered(frame.coverage);
     Frame next;
@@ -169,8 +210,8 @@ std::vector<Frame> buildPyramid(const View& view, int levels) {
 
 Outline outlineOf(const View& view, int levels) {
   const cv::Rect whole = wholeOf(view);
-  Outline outline{frameOf(view, whole), 0};
-  outline.frame.coverage = coverageOf(view, Lens(view.camera.intrinsics, whole));
+  Outline outline{whole, frameOf(view, whole), 0};
+  outline.frame.coverage = coverageOf(view, StraightPart(view.camera.intrinsics, whole));
   outline.shown = cv::countNonZero(outline.frame.coverage >= kMinCoverage);
   for (int level = 1; level < levels; ++level) outline.frame = halved(outline.frame, {});
   return outline;

@@ -39,17 +39,36 @@ struct Frame {
   }
 };
 
+/// A part of a photograph as a pinhole with the camera's focal lengths shows it.
+class StraightPart {
+ public:
+  /// part: in the photograph's pixels, on which a pinhole's lie; it may reach beyond them.
+  StraightPart(const rig::Intrinsics& camera, const cv::Rect& part);
+  /// Of a picture of the photograph's size. border: what is taken for what it does not show, as
+  /// cv::remap says; 0 if constant.
+  cv::Mat of(const cv::Mat& picture, int interpolation, int border) const;
+
+ private:
+  cv::Rect part_;
+  cv::Mat map_x_, map_y_;  // where the part's pixels lie in the photograph; empty: in the same place
+};
+
+/// The part with all that the view shows of the object: the photograph's rectangle and, where the
+/// lens drew what lies beyond it into the photograph, as much more, by whole pixels of all levels.
+/// At most a photograph's width and height more on each side (a fisheye's rim goes on for ever).
+cv::Rect wholeOf(const View& view);
+
 /// The frames of one part of a view from the full size (first) to the coarsest; pixels and index
-/// are empty. The photograph is the whole one, the part a rectangle of its pixels without
-/// distortion.
+/// are empty. The photograph is the whole one, the part as of StraightPart.
 std::vector<Frame> buildPyramid(const View& view, const cv::Mat& photograph, const cv::Rect& part,
                                 int levels);
-/// The same of the whole view, with the photograph that it holds.
+/// The same of wholeOf(view), with the photograph that it holds.
 std::vector<Frame> buildPyramid(const View& view, int levels);
 
 /// What the mask alone tells.
 struct Outline {
-  Frame frame;             ///< the coarsest of the view's frames, without grey values
+  cv::Rect whole;          ///< of the view
+  Frame frame;             ///< the coarsest of its frames, without grey values
   std::int64_t shown = 0;  ///< pixels of the full size inside the mask
 };
 Outline outlineOf(const View& view, int levels);

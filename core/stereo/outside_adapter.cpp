@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <opencv2/calib3d.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
@@ -52,23 +51,14 @@ Result<void> check(std::span<const View> views) {
   return {};
 }
 
-// The view as a pinhole camera would have shown it; pixels from beyond the picture are outside.
+// The view as a pinhole camera would have shown it; what the photograph does not show is outside.
 Result<void> writeView(const View& view, const fs::path& folder, const std::string& name,
                        MaskStyle style) {
-  const rig::Intrinsics& lens = view.camera.intrinsics;
-  cv::Mat photograph = view.photograph;
-  cv::Mat1b mask = view.mask.empty() ? cv::Mat1b(photograph.size(), uchar{255}) : view.mask;
-  if (lens.hasDistortion()) {
-    const cv::Matx33d k(lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1);
-    cv::Mat map_x, map_y, straight;
-    cv::initUndistortRectifyMap(k, lens.distortion, cv::noArray(), k, photograph.size(), CV_32F,
-                                map_x, map_y);
-    cv::remap(photograph, straight, map_x, map_y, cv::INTER_LANCZOS4, cv::BORDER_REPLICATE);
-    photograph = straight;
-    cv::Mat moved;
-    cv::remap(mask, moved, map_x, map_y, cv::INTER_LINEAR, cv::BORDER_CONSTANT, 0);
-    mask = moved;
-  }
+  const StraightPart straight(view.camera.intrinsics, wholeOf(view));
+  cv::Mat photograph = straight.of(view.photograph, cv::INTER_LANCZOS4, cv::BORDER_REPLICATE);
+  const cv::Mat1b all(view.photograph.size(), uchar{255});
+  const cv::Mat1b mask =
+      straight.of(view.mask.empty() ? all : view.mask, cv::INTER_LINEAR, cv::BORDER_CONSTANT);
   const cv::Mat1b inside = mask >= 128;
   if (style == MaskStyle::Colmap) {
     cv::Mat painted(photograph.size(), photograph.type(), cv::Scalar::all(0));
@@ -105,8 +95,9 @@ std::vector<Eigen::Vector3f> surfaceOf(const Hull& hull) {
 }
 
 // Adds the hull's surface to the model, each point with the views whose rays meet it first.
-Result<void> addPoints(std::span<const View> views, const DenseOptions& options,
-                       colmap::ColmapModel& model, const std::stop_token& stop) {
+Result<void> addPoints(std::span<const View> views, const std::vector<rig::PosedImage>& cameras,
+                       const DenseOptions& options, colmap::ColmapModel& model,
+                       const std::stop_token& stop) {
   std::vector<Frame> frames(views.size());
   parallelFor(views.size(), options.threads, [&](std::size_t i) {
     frames[i] = std::move(buildPyramid(views[i], kOutsideLevels).back());
@@ -136,9 +127,7 @@ Result<void> addPoints(std::span<const View> views, const DenseOptions& options,
                  y = static_cast<int>(std::lround(pixel.y()));
       const DepthRange range = ranges[i][static_cast<std::size_t>(y * frame.width + x)];
       if (range.far <= 0 || q.z() > range.near + 2 * hull->edge_mm) continue;
-      rig::Intrinsics pinhole = views[i].camera.intrinsics;
-      pinhole.distortion = {};
-      seen.emplace_back(i, pinhole.project(q.cast<double>()).array() + 0.5);
+      seen.emplace_back(i, cameras[i].intrinsics.project(q.cast<double>()).array() + 0.5);
     }
     if (seen.size() < 2) continue;
     for (const auto& [i, pixel] : seen) {
@@ -186,7 +175,10 @@ Result<FolderLock> writeOutsideFolder(std::span<const View> views, const DenseOp
   std::vector<std::string> names;
   for (std::size_t i = 0; i < views.size(); ++i) {
     cameras.push_back(views[i].camera);
-    cameras.back().intrinsics.distortion = {};
+    rig::Intrinsics& pinhole = cameras.back().intrinsics;
+    const cv::Rect whole = wholeOf(views[i]);
+    pinhole = {whole.width, whole.height, pinhole.fx, pinhole.fy, pinhole.cx - whole.x,
+               pinhole.cy - whole.y, {}};
     names.push_back(viewName(i) + ".png");
   }
   std::vector<std::optional<Error>> errors(views.size());
@@ -199,7 +191,8 @@ Result<FolderLock> writeOutsideFolder(std::span<const View> views, const DenseOp
   for (const std::optional<Error>& error : errors)
     if (error) return *error;
   colmap::ColmapModel model = colmap::toColmap(cameras, names);
-  if (const Result<void> done = addPoints(views, options, model, stop); !done) return done.error();
+  const Result<void> added = addPoints(views, cameras, options, model, stop);
+  if (!added) return added.error();
   const Result<void> written = colmap::writeColmapModel(folder / "sparse", model);
   if (!written) return written.error();
   return held;

@@ -14,7 +14,7 @@ namespace ostraka::stereo {
 
 /// What COLMAP's and OpenMVS's adapters share: the folder that is handed to the programs, and the
 /// reading of what they leave. Layout, with <k> = "0000", "0001", ... in the order of the views:
-///   images/<k>.png   without the lens's distortion, same size and pinhole as the view's camera
+///   images/<k>.png   without the lens's distortion: wholeOf(view), with its own size and K
 ///   sparse/*.txt     COLMAP's model: PINHOLE cameras (pixel centre + 0.5), poses, and points on
 ///                    the visual hull with the views that see them, from which the programs choose
 ///                    neighbours and depths

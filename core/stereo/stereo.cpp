@@ -292,16 +292,16 @@ Result<Reconstruction> reconstruct(std::span<const View> views, const ReadPhotog
   parallelFor(views.size(), options.readers > 0 ? options.readers : options.threads,
               [&](std::size_t i) { outlines[i] = outlineOf(views[i], kLevels); });
   std::vector<const Frame*> coarse;
-  std::vector<cv::Size> sizes;
+  std::vector<cv::Rect> wholes;
   for (std::size_t i = 0; i < views.size(); ++i) {
     agreement.shown += outlines[i].shown;
     coarse.push_back(&outlines[i].frame);
-    sizes.emplace_back(views[i].camera.intrinsics.width, views[i].camera.intrinsics.height);
+    wholes.push_back(outlines[i].whole);
   }
   if (stop.stop_requested()) return Error::cancelled();
   const Result<Hull> hull = carveHull(coarse, options, options.threads);
   if (!hull) return hull.error();
-  const std::vector<Tile> tiles = tilesOf(*hull, coarse, 1 << (kLevels - 1), sizes,
+  const std::vector<Tile> tiles = tilesOf(*hull, coarse, 1 << (kLevels - 1), wholes,
                                           options.memory_mb * 1e6 / kBytesAPixel);
   tell("visual hull carved, " + std::to_string(tiles.size()) + " parts,");
   std::vector<SurfacePoint> points;

@@ -22,11 +22,11 @@ using Cubes = std::vector<Eigen::Vector3i>;
 class Divider {
  public:
   Divider(const Hull& hull, std::span<const Frame* const> outlines, int shrink,
-          std::span<const cv::Size> sizes, double most_pixels)
+          std::span<const cv::Rect> wholes, double most_pixels)
       : hull_(hull),
         outlines_(outlines),
         shrink_(static_cast<float>(shrink)),
-        sizes_(sizes),
+        wholes_(wholes),
         most_pixels_(most_pixels) {}
 
   std::vector<Tile> divided() {
@@ -81,13 +81,13 @@ class Divider {
     const Eigen::Array2f high = (box.max().array() + beside + half) * shrink_ - half + kBeside_px;
     // Begins at a whole pixel of the coarsest level, so that all parts have the same levels.
     const auto step = static_cast<int>(shrink_);
-    const Eigen::Array2f size(static_cast<float>(sizes_[view].width),
-                              static_cast<float>(sizes_[view].height));
+    const cv::Rect& whole = wholes_[view];
+    const Eigen::Array2f size(static_cast<float>(whole.width), static_cast<float>(whole.height));
     const Eigen::Array2i first = low.max(0.0F).min(size).cast<int>() / step * step;
     const Eigen::Array2i last = high.max(0.0F).min(size).ceil().cast<int>();
     // The coarsest level needs a pixel inside its border.
     if (((last - first) < 4 * step).any()) return {};
-    return {first.x(), first.y(), last.x() - first.x(), last.y() - first.y()};
+    return {whole.x + first.x(), whole.y + first.y(), last.x() - first.x(), last.y() - first.y()};
   }
 
   Tile tileOf(const Cubes& cubes, const Eigen::AlignedBox3f& own) const {
@@ -172,7 +172,7 @@ class Divider {
   const Hull& hull_;
   std::span<const Frame* const> outlines_;
   float shrink_;
-  std::span<const cv::Size> sizes_;
+  std::span<const cv::Rect> wholes_;
   double most_pixels_;
   Cubes all_ = {};
   float around_mm_ = 0;
@@ -187,8 +187,8 @@ bool Tile::owns(const Eigen::Vector3f& p_plate) const {
 }
 
 std::vector<Tile> tilesOf(const Hull& hull, std::span<const Frame* const> outlines, int shrink,
-                          std::span<const cv::Size> sizes, double most_pixels) {
-  return Divider(hull, outlines, shrink, sizes, most_pixels).divided();
+                          std::span<const cv::Rect> wholes, double most_pixels) {
+  return Divider(hull, outlines, shrink, wholes, most_pixels).divided();
 }
 
 }  // namespace ostraka::stereo

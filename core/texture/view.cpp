@@ -29,6 +29,7 @@ std::optional<View> cutOut(const cv::Mat3b& photograph, const cv::Mat1b& mask,
   for (const double x : {0.0, photograph.cols - 1.0})
     for (const double y : {0.0, photograph.rows - 1.0})
       view.reach = std::max(view.reach, 1.05 * view.intrinsics.unproject({x, y}).norm());
+  view.reach = std::min(view.reach, view.intrinsics.distortion.reach());
   Eigen::Vector2d low = Eigen::Vector2d::Constant(INFINITY), high = -low;
   double nearest_mm = INFINITY;
   for (const Eigen::Vector3f& point : points) {

@@ -83,7 +83,7 @@ CameraModel cameraModel(rendering::CameraKind kind, vessels::Random& random) {
       break;
   }
   m.focal_per_width *= random.uniform(0.985, 1.015);
-  for (double& d : m.distortion) d *= random.uniform(0.7, 1.2);
+  for (std::size_t k = 0; k < 5; ++k) m.distortion[k] *= random.uniform(0.7, 1.2);
   return m;
 }
 

@@ -8923,9 +8923,19 @@
       <translation>Ordner nicht gefunden; einen mit Fotos der Platte oder der Tafel wählen.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
+      <source>The lens %1 is not known; it is 'standard' or 'fisheye'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mehr als fünf Verzeichnungsglieder für '%1' werden nicht unterstützt; zuerst die Verzeichnung aus ihren Fotos entfernen.</translation>
+      <translation>Das Objektiv %1 ist nicht bekannt; es ist 'standard' oder 'fisheye'.</translation>
+    </message>
+    <message>
+      <source>Numbers in 'dist': %1; a lens has 0, 4, 5, 8 or 12 in OpenCV's order, a fisheye has 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zahlen in 'dist': %1; ein Objektiv hat 0, 4, 5, 8 oder 12 in der Reihenfolge von OpenCV, ein Fischauge hat 4.</translation>
+    </message>
+    <message>
+      <source>No lens has the numbers in 'dist': its picture folds near the middle. Check their order.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Objektiv hat die Zahlen in 'dist': sein Bild faltet sich nahe der Mitte. Ihre Reihenfolge prüfen.</translation>
     </message>
     <message>
       <source>The camera of '%1' has no valid K, R, t or size.</source>

@@ -8923,9 +8923,19 @@
       <translation>Δεν υπάρχει τέτοιος φάκελος· ονομάστε έναν με φωτογραφίες του δίσκου ή του πίνακα βαθμονόμησης.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
+      <source>The lens %1 is not known; it is 'standard' or 'fisheye'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Περισσότεροι από πέντε όροι παραμόρφωσης για το '%1' δεν γίνονται κατανοητοί· διορθώστε πρώτα την παραμόρφωση των φωτογραφιών του.</translation>
+      <translation>Ο φακός %1 δεν είναι γνωστός· είναι 'standard' ή 'fisheye'.</translation>
+    </message>
+    <message>
+      <source>Numbers in 'dist': %1; a lens has 0, 4, 5, 8 or 12 in OpenCV's order, a fisheye has 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αριθμοί στο 'dist': %1· ένας φακός έχει 0, 4, 5, 8 ή 12 με τη σειρά του OpenCV, ένας φακός fisheye έχει 4.</translation>
+    </message>
+    <message>
+      <source>No lens has the numbers in 'dist': its picture folds near the middle. Check their order.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κανένας φακός δεν έχει τους αριθμούς του 'dist': η εικόνα του διπλώνει κοντά στο κέντρο. Ελέγξτε τη σειρά τους.</translation>
     </message>
     <message>
       <source>The camera of '%1' has no valid K, R, t or size.</source>

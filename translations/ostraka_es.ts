@@ -8923,9 +8923,19 @@
       <translation>No se encontró la carpeta; elija una con fotos del plato o del tablero.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
+      <source>The lens %1 is not known; it is 'standard' or 'fisheye'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se admiten más de cinco términos de distorsión para '%1'; corrija antes la distorsión de sus fotos.</translation>
+      <translation>El objetivo %1 no se conoce; es 'standard' o 'fisheye'.</translation>
+    </message>
+    <message>
+      <source>Numbers in 'dist': %1; a lens has 0, 4, 5, 8 or 12 in OpenCV's order, a fisheye has 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Números en 'dist': %1; un objetivo tiene 0, 4, 5, 8 o 12 en el orden de OpenCV, un ojo de pez tiene 4.</translation>
+    </message>
+    <message>
+      <source>No lens has the numbers in 'dist': its picture folds near the middle. Check their order.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ningún objetivo tiene los números de 'dist': su imagen se pliega cerca del centro. Compruebe su orden.</translation>
     </message>
     <message>
       <source>The camera of '%1' has no valid K, R, t or size.</source>

@@ -8923,9 +8923,19 @@
       <translation>Dossier introuvable ; choisissez-en un avec des photos du plateau ou de la mire.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
+      <source>The lens %1 is not known; it is 'standard' or 'fisheye'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Plus de cinq termes de distorsion pour '%1' ne sont pas pris en charge ; corrigez d’abord la distorsion de ses photos.</translation>
+      <translation>L’objectif %1 n’est pas connu ; c’est 'standard' ou 'fisheye'.</translation>
+    </message>
+    <message>
+      <source>Numbers in 'dist': %1; a lens has 0, 4, 5, 8 or 12 in OpenCV's order, a fisheye has 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nombres dans 'dist' : %1 ; un objectif en a 0, 4, 5, 8 ou 12 dans l’ordre d’OpenCV, un fisheye en a 4.</translation>
+    </message>
+    <message>
+      <source>No lens has the numbers in 'dist': its picture folds near the middle. Check their order.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun objectif n’a les nombres de 'dist' : son image se replie près du centre. Vérifiez leur ordre.</translation>
     </message>
     <message>
       <source>The camera of '%1' has no valid K, R, t or size.</source>

@@ -8923,9 +8923,19 @@
       <translation>Այդպիսի պանակ չկա. նշեք սկավառակի կամ տախտակի լուսանկարներով պանակ։</translation>
     </message>
     <message>
-      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
+      <source>The lens %1 is not known; it is 'standard' or 'fisheye'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1'-ի աղավաղման հինգից ավելի անդամները չեն ընկալվում. նախ ուղղեք դրա լուսանկարների աղավաղումը։</translation>
+      <translation>%1 օբյեկտիվը հայտնի չէ. այն 'standard' է կամ 'fisheye'։</translation>
+    </message>
+    <message>
+      <source>Numbers in 'dist': %1; a lens has 0, 4, 5, 8 or 12 in OpenCV's order, a fisheye has 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թվեր 'dist'-ում՝ %1. օբյեկտիվն ունի 0, 4, 5, 8 կամ 12 թիվ OpenCV-ի հերթականությամբ, ձկնաչք օբյեկտիվը՝ 4։</translation>
+    </message>
+    <message>
+      <source>No lens has the numbers in 'dist': its picture folds near the middle. Check their order.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի օբյեկտիվ չունի 'dist'-ի թվերը. նրա պատկերը ծալվում է կենտրոնի մոտ։ Ստուգեք դրանց հերթականությունը։</translation>
     </message>
     <message>
       <source>The camera of '%1' has no valid K, R, t or size.</source>

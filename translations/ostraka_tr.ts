@@ -8875,9 +8875,19 @@
       <translation>Böyle bir klasör yok; tablanın ya da kalibrasyon levhasının fotoğrafları olan birini verin.</translation>
     </message>
     <message>
-      <source>More than five distortion terms for &apos;%1&apos; are not supported; undistort its photographs first.</source>
+      <source>The lens %1 is not known; it is 'standard' or 'fisheye'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1' için beşten fazla bozulma terimi anlaşılmıyor; önce fotoğraflarının bozulmasını giderin.</translation>
+      <translation>%1 objektifi bilinmiyor; 'standard' ya da 'fisheye' olur.</translation>
+    </message>
+    <message>
+      <source>Numbers in 'dist': %1; a lens has 0, 4, 5, 8 or 12 in OpenCV's order, a fisheye has 4.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>'dist' içindeki sayılar: %1; bir objektifte OpenCV sırasıyla 0, 4, 5, 8 ya da 12, balıkgözünde 4 sayı olur.</translation>
+    </message>
+    <message>
+      <source>No lens has the numbers in 'dist': its picture folds near the middle. Check their order.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir objektifte 'dist' içindeki sayılar olmaz: görüntüsü ortaya yakın katlanıyor. Sıralarını kontrol edin.</translation>
     </message>
     <message>
       <source>The camera of '%1' has no valid K, R, t or size.</source>

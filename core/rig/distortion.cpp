@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/message.h"
 #include "files/json_numbers.h"
@@ -45,6 +46,32 @@ double foldOf(const Distortion& round) {
   return low;
 }
 
+// The point by fixed-point steps, which go to no place where the model has folded; nothing where
+// they do not come to an end.
+std::optional<Eigen::Vector2d> ofPoint(const Distortion& lens, const Eigen::Vector2d& target) {
+  Eigen::Vector2d n = target;
+  for (int step = 0; step < kEnough; ++step) {
+    const Eigen::Vector2d error = lens.bent(n) - target;
+    n -= error;
+    if (error.squaredNorm() < 1e-24) return n;
+  }
+  return std::nullopt;
+}
+
+// The same of a fisheye, by the angle.
+std::optional<Eigen::Vector2d> ofAngle(const Distortion& lens, const Eigen::Vector2d& target) {
+  const double shown = target.norm();
+  double angle = shown;
+  for (int step = 0; step < kEnough; ++step) {
+    const double a2 = angle * angle, last = angle;
+    angle = shown / (1 + a2 * (lens[0] + a2 * (lens[1] + a2 * (lens[2] + a2 * lens[3]))));
+    if (std::abs(angle - last) > 1e-13) continue;
+    if (!(angle >= 0 && angle <= kWidest_rad)) return std::nullopt;
+    return shown > 0 ? Eigen::Vector2d(std::tan(angle) / shown * target) : target;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<double> Distortion::list() const {
@@ -77,13 +104,9 @@ double Distortion::reach() const {
 }
 
 Eigen::Vector2d Distortion::unbent(const Eigen::Vector2d& target) const {
-  Eigen::Vector2d n = target;
-  if (lens == Lens::Standard)
-    for (int step = 0; step < kEnough; ++step) {
-      const Eigen::Vector2d error = bent(n) - target;
-      n -= error;
-      if (error.squaredNorm() < 1e-24) return n;
-    }
+  const std::optional<Eigen::Vector2d> soon =
+      lens == Lens::Fisheye ? ofAngle(*this, target) : ofPoint(*this, target);
+  if (soon) return *soon;
   // What bends more: the angle by halving, then Newton's steps for what is not around the axis.
   const Distortion round = roundPart(*this);
   const double radius = target.norm(), fold = foldOf(round);
@@ -92,14 +115,14 @@ Eigen::Vector2d Distortion::unbent(const Eigen::Vector2d& target) const {
     const double middle = (low + high) / 2;
     (bentRadius(round, middle) < radius ? low : high) = middle;
   }
-  n = radius > 0 ? Eigen::Vector2d(std::tan(low) / radius * target) : Eigen::Vector2d::Zero();
+  const double farthest = std::tan(fold);
+  Eigen::Vector2d n = std::tan(low) / radius * target;
   if (high == fold) return n;
   for (int step = 0; step < kEnough; ++step) {
     const Eigen::Vector2d error = bent(n) - target;
     if (error.squaredNorm() < 1e-24) break;
     n -= slope(n).inverse() * error;
   }
-  const double farthest = std::tan(fold);
   return n.norm() <= farthest ? n : Eigen::Vector2d(farthest / radius * target);
 }
 
@@ -121,9 +144,9 @@ void readLens(const nlohmann::json& from, Intrinsics& camera) {
   if (!terms.is_array() ||
       (fisheye ? count != 4
                : count != 0 && count != 4 && count != 5 && count != 8 && count != 12))
-    throw JsonValueError(message(
-        "'dist' has %1 numbers; a lens has 0, 4, 5, 8 or 12 in OpenCV's order, a fisheye has 4.",
-        count));
+    throw JsonValueError(message("Numbers in 'dist': %1; a lens has 0, 4, 5, 8 or 12 in OpenCV's "
+                                 "order, a fisheye has 4.",
+                                 count));
   Distortion& lens = camera.distortion = {};
   for (std::size_t k = 0; k < count; ++k)
     lens[k] = numberIn(terms[k], "dist", -kMostTerm, kMostTerm);
@@ -132,8 +155,8 @@ void readLens(const nlohmann::json& from, Intrinsics& camera) {
   else if (std::any_of(lens.terms.begin() + 5, lens.terms.end(), [](double k) { return k != 0; }))
     lens.lens = Lens::Full;
   if (camera.folds())
-    throw JsonValueError(message("A lens folds within the middle of its picture, which none does; "
-                                 "check the order of the numbers in 'dist'."));
+    throw JsonValueError(message("No lens has the numbers in 'dist': its picture folds near the "
+                                 "middle. Check their order."));
 }
 
 void writeLens(const Distortion& lens, nlohmann::ordered_json& to) {

@@ -107,8 +107,8 @@ VirtualRig makeRig(int width, int stops, vessels::Random& random) {
     k.fx = k.fy = focal[c] * random.uniform(0.96, 1.0) * scale;
     k.cx = (799.5 + random.uniform(-6, 6) + 0.5) * scale - 0.5;  // a pixel's centre is its integer
     k.cy = (599.5 + random.uniform(-6, 6) + 0.5) * scale - 0.5;
-    k.distortion = {random.uniform(-0.08, 0.05), random.uniform(-0.02, 0.02),
-                    random.uniform(-5e-4, 5e-4), random.uniform(-5e-4, 5e-4), 0};
+    k.distortion = {{random.uniform(-0.08, 0.05), random.uniform(-0.02, 0.02),
+                     random.uniform(-5e-4, 5e-4), random.uniform(-5e-4, 5e-4), 0}};
     const double up = (elevation[c] + random.uniform(-2, 2)) * std::numbers::pi / 180;
     const double azimuth = (-98 + 10 * c + random.uniform(-4, 4)) * std::numbers::pi / 180;
     const double away = distance[c] * random.uniform(1.0, 1.03);

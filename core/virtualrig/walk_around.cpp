@@ -46,7 +46,7 @@ CameraModel cameraModel(rendering::CameraKind kind, vessels::Random& random) {
   switch (kind) {
     case rendering::CameraKind::Phone:
       m.focal_per_width = 1291.0 / 1600;
-      m.distortion = {0.045, -0.085, 0.0003, -0.0004, 0.03};
+      m.distortion = {{0.045, -0.085, 0.0003, -0.0004, 0.03}};
       m.focal_mm = 4.2;
       m.fnumber = 2.2;
       m.sensor.shot_noise = 1.5e-4;
@@ -56,7 +56,7 @@ CameraModel cameraModel(rendering::CameraKind kind, vessels::Random& random) {
       break;
     case rendering::CameraKind::Dslr:  // 35 mm on APS-C
       m.focal_per_width = 52.5 / 36;
-      m.distortion = {-0.085, 0.06, 0.0002, 0.0001, 0};
+      m.distortion = {{-0.085, 0.06, 0.0002, 0.0001, 0}};
       m.focal_mm = 35;
       m.fnumber = 11;
       m.breathing = 0.0015;
@@ -69,7 +69,7 @@ CameraModel cameraModel(rendering::CameraKind kind, vessels::Random& random) {
       break;
     case rendering::CameraKind::Compact:
       m.focal_per_width = 32.0 / 36;
-      m.distortion = {-0.13, 0.09, -0.0005, 0.0006, 0};
+      m.distortion = {{-0.13, 0.09, -0.0005, 0.0006, 0}};
       m.focal_mm = 6.7;
       m.fnumber = 4;
       m.breathing = 0.003;

@@ -20,7 +20,7 @@ TEST(Dense, RefusesPhotographsWhoseCameraOrPoseIsNone) {
   good.fx = good.fy = 80;
   good.cx = 31.5;
   good.cy = 23.5;
-  std::vector<DensePhotograph> bad(8, good);
+  std::vector<DensePhotograph> bad(9, good);
   bad[0].camera_from_world.matrix().setZero();
   bad[1].camera_from_world(0, 3) = 1e30;
   bad[2].camera_from_world(0, 0) = -1;
@@ -29,6 +29,7 @@ TEST(Dense, RefusesPhotographsWhoseCameraOrPoseIsNone) {
   bad[5].fx = 1e300;
   bad[6].distortion[2] = std::numeric_limits<double>::quiet_NaN();
   bad[7].cx = std::numeric_limits<double>::infinity();
+  bad[8].distortion[5] = -1000;  // its rational part has a pole 2.5 pixels off the middle
   for (std::size_t i = 0; i < bad.size(); ++i) {
     const std::vector<DensePhotograph> photographs = {good, bad[i], good};
     const auto found = dense(photographs, 1, quiet, {});
@@ -67,7 +68,7 @@ TEST(Dense, FindsABallInPhotographsWithKnownCameras) {
                            camera.fy,
                            camera.cx,
                            camera.cy,
-                           camera.distortion,
+                           camera.distortion.terms,
                            view.camera.camera_from_plate});
   }
   const Result<DenseCloud> found = dense(photographs, 2, quiet, {});

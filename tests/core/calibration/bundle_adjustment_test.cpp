@@ -89,6 +89,24 @@ TEST(Adjust, IsNotPulledAwayByOneWrongMarker) {
   EXPECT_GT(residual(*found, corners[0]).norm(), 3);
 }
 
+TEST(Adjust, TurnsCamerasBehindAFisheyeAndKeepsItsTerms) {
+  RigState truth = rig::trueRig();
+  const rig::Distortion fisheye{{0.03, -0.01, 0.004, -0.001}, rig::Lens::Fisheye};
+  truth.cameras[0].intrinsics.distortion = fisheye;
+  truth.cameras[1].intrinsics.distortion = {
+      {0.9, 0.1, 0, 0, 0, 1, 0.2, 0, 0.001, 0, -0.001, 0}, rig::Lens::Full};
+  for (RigState::Camera& camera : truth.cameras)
+    camera.intrinsics.fx = camera.intrinsics.fy = 1300;  // wide: the lens shows
+  RigState start = disturbed(truth);
+  start.cameras[0].intrinsics.fx = start.cameras[0].intrinsics.fy = 1310;
+  const auto found = adjust(start, rig::cornersSeen(truth, rig::ring(kMarkers), 0), {}, {});
+  ASSERT_TRUE(found.has_value()) << found.error().sentence();
+  EXPECT_EQ(found->cameras[0].intrinsics.distortion, fisheye);
+  EXPECT_EQ(found->cameras[1].intrinsics.distortion, truth.cameras[1].intrinsics.distortion);
+  EXPECT_NEAR(found->cameras[0].intrinsics.fx, 1300, 1);
+  EXPECT_LT(worstProjection_px(*found, truth), 0.05);
+}
+
 // Twenty photographs by hand over a sheet of 6 x 4 markers that is bent by up to 4 mm: lenses
 // breathe by 0.4 % and drift by 3 px.
 struct ByHand {

@@ -1,8 +1,13 @@
 #include "rig/camera.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "files/json.h"
 #include "simulated_rig.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::rig {
 namespace {
@@ -13,7 +18,7 @@ TEST(Intrinsics, ProjectsByHandComputedNumbers) {
   i.fy = 900;
   i.cx = 320;
   i.cy = 240;
-  i.distortion = {0.1, 0, 0.01, 0.02, 0};
+  i.distortion = {{0.1, 0, 0.01, 0.02, 0}};
   // x = 0.2, y = 0.1, r2 = 0.05, radial 1.005; tangential x: 2*.01*.02 + .02*(.05+.08) = 0.003,
   // y: .01*(.05+.02) + 2*.02*.02 = 0.0015.
   const Eigen::Vector2d p = i.project({2, 1, 10});
@@ -37,7 +42,7 @@ TEST(Intrinsics, ReducedPicturesShowAPointWhereItsAreaWent) {
   i.fx = i.fy = 2000;
   i.cx = 499.5;
   i.cy = 399.5;
-  i.distortion = {0.1, 0, 0.01, 0.02, 0};
+  i.distortion = {{0.1, 0, 0.01, 0.02, 0}};
   const Intrinsics small = reduced(i, 500, 200);
   EXPECT_EQ(small.width, 500);
   EXPECT_EQ(small.height, 200);
@@ -51,6 +56,26 @@ TEST(Intrinsics, ReducedPicturesShowAPointWhereItsAreaWent) {
     EXPECT_NEAR(small.project(p).x(), (at.x() + 0.5) / 2 - 0.5, 1e-9);
     EXPECT_NEAR(small.project(p).y(), (at.y() + 0.5) / 4 - 0.5, 1e-9);
   }
+}
+
+TEST(Cameras, ComeBackFromTheirFileWithTheirLenses) {
+  TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "cameras.json";
+  std::vector<PosedImage> images(3);
+  for (PosedImage& image : images) image.intrinsics = lens(2600);
+  images[1].intrinsics.distortion = {{0.9, 0.1, 0, 0, 0, 1, 0.2}, Lens::Full};
+  images[2].intrinsics.distortion = {{0.03, -0.01, 0.004, -0.001}, Lens::Fisheye};
+  ASSERT_TRUE(writeCameras(file, images));
+  const auto read = readCameras(file);
+  ASSERT_TRUE(read) << read.error().sentence();
+  for (std::size_t k = 0; k < images.size(); ++k)
+    EXPECT_EQ((*read)[k].intrinsics.distortion, images[k].intrinsics.distortion) << k;
+  nlohmann::json json = *readJson(file);
+  json["images"][0]["dist"] = std::vector<double>(14, 0.0);
+  std::ofstream(file) << json;
+  const auto refused = readCameras(file);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().what, testing::HasSubstr("'dist': 14;"));
 }
 
 TEST(PoseFrom, UndoesTheRotationVector) {

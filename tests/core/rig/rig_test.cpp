@@ -45,6 +45,64 @@ TEST_F(RigFile, ComesBackAsItWasWritten) {
   EXPECT_NEAR(read->stop_angles_rad[2], 3, 1e-14);
 }
 
+TEST_F(RigFile, KeepsLensesOfEightAndTwelveTermsAndFisheyes) {
+  Rig rig = sample();
+  Distortion& first = rig.cameras[0].intrinsics.distortion;
+  Distortion& second = rig.cameras[1].intrinsics.distortion;
+  const Distortion prism{{0.9, 0.1, 0, 0, 0, 1, 0.2, 0, 0.001, 0, -0.001, 0}, Lens::Full};
+  const Distortion fisheye{{0.03, -0.01, 0.004, -0.001}, Lens::Fisheye};
+  const Distortion rational{{0.9, 0.1, 0, 0, 0, 1, 0.2}, Lens::Full};
+  for (const Distortion& lens : {prism, fisheye, rational}) {
+    first = lens;
+    second = fisheye;
+    ASSERT_TRUE(writeRig(file, rig));
+    EXPECT_EQ(readJson(file)->at("cameras")[0].at("dist").size(), lens.list().size());
+    const auto read = readRig(file);
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_EQ(read->cameras[0].intrinsics.distortion, lens);
+    EXPECT_EQ(read->cameras[1].intrinsics.distortion, fisheye);
+  }
+}
+
+TEST_F(RigFile, WritesFiveTermsAndNoModelForAStandardLens) {
+  ASSERT_TRUE(writeRig(file, sample()));
+  std::ifstream stream(file);
+  const auto json = nlohmann::ordered_json::parse(stream);
+  std::string keys;
+  for (const auto& [key, value] : json.at("cameras")[0].items()) keys += key + " ";
+  EXPECT_EQ(keys,
+            "camera width height K dist camera_from_turntable focal_sd_px intrinsics_rms_px "
+            "marker_inset_px ");
+  EXPECT_EQ(json.at("cameras")[0].at("dist").dump(), "[-0.06,0.02,0.0003,-0.0002,0.0]");
+}
+
+TEST_F(RigFile, RefusesWhatIsNoLens) {
+  ASSERT_TRUE(writeRig(file, sample()));
+  const nlohmann::json good = *readJson(file);
+  const auto sentence = [&](const nlohmann::json& terms, const nlohmann::json& lens) {
+    nlohmann::json json = good;
+    json["cameras"][0]["dist"] = terms;
+    if (!lens.is_null()) json["cameras"][0]["lens"] = lens;
+    std::ofstream(file) << json;
+    const auto read = readRig(file);
+    return read ? std::string() : read.error().sentence().english();
+  };
+  const auto zeros = [](std::size_t count) { return std::vector<double>(count, 0.0); };
+  for (const std::size_t count : {0U, 4U, 5U, 8U, 12U}) EXPECT_EQ(sentence(zeros(count), {}), "");
+  for (const std::size_t count : {1U, 6U, 9U, 14U})
+    EXPECT_THAT(sentence(zeros(count), {}), testing::HasSubstr("5, 8 or 12")) << count;
+  EXPECT_EQ(sentence(zeros(4), "fisheye"), "");
+  EXPECT_EQ(sentence(zeros(5), "standard"), "");
+  EXPECT_THAT(sentence(zeros(5), "fisheye"), testing::HasSubstr("a fisheye has 4"));
+  EXPECT_THAT(sentence(zeros(4), "brown"), testing::HasSubstr("\"brown\" is not known"));
+  EXPECT_THAT(sentence(zeros(4), 7), testing::HasSubstr("7 is not known"));
+  EXPECT_NE(sentence({1e9, 0, 0, 0, 0}, {}), "");
+  EXPECT_NE(sentence({"0", 0, 0, 0, 0}, {}), "");
+  // 1 - 100 r^2 below the fraction is 0 at 0.1; half of 1200 px are 0.23 at 2600 px.
+  EXPECT_THAT(sentence({0, 0, 0, 0, 0, -100, 0, 0}, {}), testing::HasSubstr("folds"));
+  EXPECT_EQ(sentence({0, 0, 0, 0, 0, -10, 0, 0}, {}), "") << "at 0.32, beside the picture";
+}
+
 TEST_F(RigFile, KeepsTheDevicesOfAnEarlierCalibration) {
   std::ofstream(file) << R"({"devices":{"settle_s":2},"cameras":["old"]})";
   ASSERT_TRUE(writeRig(file, sample()).has_value());

@@ -37,7 +37,7 @@ inline Intrinsics lens(double focal) {
   i.fx = i.fy = focal;
   i.cx = 803;
   i.cy = 596;
-  i.distortion = {-0.06, 0.02, 0.0003, -0.0002, 0};
+  i.distortion = {{-0.06, 0.02, 0.0003, -0.0002, 0}};
   return i;
 }
 

@@ -66,7 +66,7 @@ TEST(Frame, ReadsNothingBesideTheMask) {
 }
 
 TEST(Frame, HasNoDistortion) {
-  const rig::Intrinsics lens{200, 160, 100, 100, 99.5, 79.5, {0.5, 0, 0, 0, 0}};
+  const rig::Intrinsics lens{200, 160, 100, 100, 99.5, 79.5, {{0.5}}};
   const Eigen::Vector3d p(0.3, 0.2, 1);
   const Eigen::Vector2d seen = lens.project(p);
   ASSERT_GT((seen - Eigen::Vector2d(129.5, 99.5)).norm(), 2) << "the lens bends";
@@ -80,6 +80,67 @@ TEST(Frame, HasNoDistortion) {
   cv::minMaxLoc(frame.grey, nullptr, nullptr, nullptr, &brightest);
   EXPECT_LE(std::abs(brightest.x - 129.5), 1);
   EXPECT_LE(std::abs(brightest.y - 99.5), 1);
+}
+
+// The photograph of a spot of light that a lens draws to (8, 6), near the corner.
+View cornerSpot(const rig::Distortion& lens) {
+  cv::Mat1b grey(160, 200, static_cast<unsigned char>(20));
+  for (int y = 0; y < grey.rows; ++y)
+    for (int x = 0; x < grey.cols; ++x)
+      grey(y, x) = static_cast<unsigned char>(
+          20 + 200 * std::exp(-Eigen::Vector2d(x - 8, y - 6).squaredNorm() / 8));
+  View view = viewOf(grey, {200, 160, 100, 100, 99.5, 79.5, lens});
+  view.mask = cv::Mat1b(grey.size(), static_cast<unsigned char>(0));
+  view.mask(cv::Rect(4, 2, 10, 10)) = 255;
+  return view;
+}
+
+TEST(Frame, HasAPlaceForACornerThatTheLensDrewIn) {
+  const rig::Distortion barrel{{-0.1}, rig::Lens::Standard};
+  const rig::Distortion fisheye{{}, rig::Lens::Fisheye};
+  for (const rig::Distortion& lens : {barrel, fisheye}) {
+    const View view = cornerSpot(lens);
+    const Eigen::Vector2d n = view.camera.intrinsics.unproject({8, 6});
+    const Eigen::Vector2d straight(100 * n.x() + 99.5, 100 * n.y() + 79.5);
+    ASSERT_LT(straight.maxCoeff(), -10) << "beyond the photograph";
+    const cv::Rect whole = wholeOf(view);
+    EXPECT_EQ(whole.x % 16, 0);
+    EXPECT_EQ(whole.y % 16, 0);
+    EXPECT_EQ(whole.br(), cv::Point(200, 160)) << "nothing of the object is there";
+    const Frame frame = buildPyramid(view, 1)[0];
+    EXPECT_EQ(cv::Size(frame.width, frame.height), whole.size());
+    const Eigen::Vector2f at = frame.project(Eigen::Vector3d(n.x(), n.y(), 1).cast<float>());
+    ASSERT_TRUE(frame.holds(at));
+    cv::Point brightest;
+    cv::minMaxLoc(frame.grey, nullptr, nullptr, nullptr, &brightest);
+    // A pixel of the photograph is as large as 3 and 7 of these.
+    EXPECT_NEAR(brightest.x, at.x(), 3);
+    EXPECT_NEAR(brightest.y, at.y(), 3);
+    EXPECT_EQ(outlineOf(view, 1).whole, whole);
+  }
+}
+
+TEST(Frame, IsThePhotographsWhereTheObjectStaysWithin) {
+  View view = cornerSpot({{-0.1}, rig::Lens::Standard});
+  view.mask = cv::Mat1b(view.mask.size(), static_cast<unsigned char>(0));
+  EXPECT_EQ(wholeOf(view), cv::Rect(0, 0, 200, 160)) << "no object";
+  view.mask(cv::Rect(60, 60, 70, 40)) = 255;
+  EXPECT_EQ(wholeOf(view), cv::Rect(0, 0, 200, 160));
+  view.mask.release();
+  view.camera.intrinsics.distortion = {};
+  EXPECT_EQ(wholeOf(view), cv::Rect(0, 0, 200, 160)) << "no lens";
+}
+
+// r - 0.3 r^3 grows up to r = 1.054; at 1.3 it shows again what is at 0.78.
+TEST(Frame, ShowsNothingBeyondTheFoldOfALens) {
+  View view = viewOf(cv::Mat1b(160, 200, static_cast<unsigned char>(100)),
+                     {200, 160, 100, 100, 99.5, 79.5, {{-0.3}, rig::Lens::Standard}});
+  const Frame frame = buildPyramid(view, view.photograph, {-80, 0, 280, 160}, 1)[0];
+  const auto coverageAt = [&](double r) {
+    return frame.coverage(80, static_cast<int>(std::lround(99.5 - 100 * r)) + 80);
+  };
+  EXPECT_NEAR(coverageAt(1.0), 1, 1e-3);
+  EXPECT_EQ(coverageAt(1.3), 0);
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ TEST_F(OutsideAdapter, GivesEachViewThePointsOfTheHullThatItSees) {
 TEST_F(OutsideAdapter, TakesTheLensOutOfPhotographAndMask) {
   std::vector<View> views = ballViews({}, 4);
   // At 100 pixels from the middle this lens shifts by 1.9 pixels.
-  views[0].camera.intrinsics.distortion = {1.5, 0, 0, 0, 0};
+  views[0].camera.intrinsics.distortion = {{1.5, 0, 0, 0, 0}};
   const Eigen::Vector2d straight(20, 30), middle(99.5, 79.5);
   const Eigen::Vector2d n = (straight - middle) / 900;
   const Eigen::Vector2d bent = middle + (straight - middle) * (1 + 1.5 * n.squaredNorm());
@@ -83,6 +83,22 @@ TEST_F(OutsideAdapter, TakesTheLensOutOfPhotographAndMask) {
   EXPECT_NEAR(m.m10 / m.m00, straight.x(), 0.05);
   EXPECT_NEAR(m.m01 / m.m00, straight.y(), 0.05);
   EXPECT_TRUE(fs::exists(work() / "masks" / "0007.mask.png"));
+}
+
+TEST_F(OutsideAdapter, KeepsTheCornersWithAnOwnSizeAndCentre) {
+  std::vector<View> views = ballViews({}, 4);
+  // Without a mask the corners show the object, too. Straight they lie 0.1721 off the axis, not
+  // 0.1415: 22 px beyond across and 17 px along, for which there are two blocks of 16.
+  views[0].camera.intrinsics.distortion = {{-6}};
+  views[0].mask.release();
+  ASSERT_TRUE(writeOutsideFolder(views, {}, work(), MaskStyle::OpenMvs, {}).has_value());
+  const cv::Mat1b mask =
+      cv::imread((work() / "masks" / "0000.mask.png").string(), cv::IMREAD_GRAYSCALE);
+  EXPECT_EQ(mask.size(), cv::Size(264, 224));
+  EXPECT_THAT(textOf(work() / "sparse" / "cameras.txt"),
+              HasSubstr("\n1 PINHOLE 264 224 900 900 132 112\n"));
+  EXPECT_THAT(textOf(work() / "sparse" / "cameras.txt"),
+              HasSubstr("\n2 PINHOLE 200 160 900 900 100 80\n"));
 }
 
 TEST_F(OutsideAdapter, PaintsWhatIsNoObjectBlackForColmap) {

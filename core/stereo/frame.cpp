@@ -82,6 +82,14 @@ cv::Mat1f greyOf(const cv::Mat& photograph, const StraightPart& straight) {
   return straight.of(grey, cv::INTER_LANCZOS4, cv::BORDER_REPLICATE);
 }
 
+/// Empty within the photograph's rectangle, of whose corners a lens leaves slivers.
+cv::Mat1b shownOf(const View& view, const cv::Rect& part, const StraightPart& straight) {
+  const cv::Rect photograph(0, 0, view.camera.intrinsics.width, view.camera.intrinsics.height);
+  if ((part & photograph) == part) return {};
+  return straight.of(cv::Mat1b(photograph.size(), uchar{255}), cv::INTER_LINEAR,
+                     cv::BORDER_CONSTANT) == 255;
+}
+
 /// The view's camera for a part of its pixels.
 Frame frameOf(const View& view, const cv::Rect& part) {
   Frame frame;
@@ -117,6 +125,11 @@ Frame halved(const Frame& fine, const cv::Mat1f& blurred) {
     cv::resize(blurred(even), coarse.grey, {coarse.width, coarse.height}, 0, 0, cv::INTER_AREA);
   cv::resize(fine.coverage(even), coarse.coverage, {coarse.width, coarse.height}, 0, 0,
              cv::INTER_AREA);
+  if (!fine.shown.empty()) {
+    cv::Mat share;
+    cv::resize(fine.shown(even), share, {coarse.width, coarse.height}, 0, 0, cv::INTER_AREA);
+    coarse.shown = share == 255;
+  }
   return coarse;
 }
 
@@ -189,6 +202,7 @@ std::vector<Frame> buildPyramid(const View& view, const cv::Mat& photograph, con
   const StraightPart straight(view.camera.intrinsics, part);
   Frame frame = frameOf(view, part);
   frame.coverage = coverageOf(view, straight);
+  frame.shown = shownOf(view, part, straight);
   frame.grey =
       blurInside(greyOf(photograph, straight), mostlyCovered(frame.coverage), kPresmoothing_px);
   for (int level = 0; level < levels; ++level) {
@@ -211,7 +225,9 @@ std::vector<Frame> buildPyramid(const View& view, int levels) {
 Outline outlineOf(const View& view, int levels) {
   const cv::Rect whole = wholeOf(view);
   Outline outline{whole, frameOf(view, whole), 0};
-  outline.frame.coverage = coverageOf(view, StraightPart(view.camera.intrinsics, whole));
+  const StraightPart straight(view.camera.intrinsics, whole);
+  outline.frame.coverage = coverageOf(view, straight);
+  outline.frame.shown = shownOf(view, whole, straight);
   outline.shown = cv::countNonZero(outline.frame.coverage >= kMinCoverage);
   for (int level = 1; level < levels; ++level) outline.frame = halved(outline.frame, {});
   return outline;

@@ -19,6 +19,7 @@ struct Frame {
   Eigen::Vector3f centre;       ///< the camera's place in the plate's frame, mm
   cv::Mat1f grey;               ///< 1..255; 0 where the photograph does not show the object
   cv::Mat1f coverage;           ///< 0..1, the share of the pixel inside the mask
+  cv::Mat1b shown;              ///< 0: beyond the photograph, of which it says nothing; empty: none
   /// Four neighbours' grey values (x,y) (x+1,y) (x,y+1) (x+1,y+1) in one word, lowest byte first,
   /// so that one access serves an interpolation; a byte of 0 is outside.
   std::vector<std::uint32_t> packed;
@@ -36,6 +37,11 @@ struct Frame {
   bool holds(const Eigen::Vector2f& pixel) const {
     return pixel.x() >= 0.0F && pixel.y() >= 0.0F && pixel.x() < static_cast<float>(width - 1) &&
            pixel.y() < static_cast<float>(height - 1);
+  }
+  /// Whether the photograph shows what is at this place.
+  bool shows(const Eigen::Vector2f& pixel) const {
+    return holds(pixel) && (shown.empty() || shown(static_cast<int>(pixel.y() + 0.5F),
+                                                   static_cast<int>(pixel.x() + 0.5F)) != 0);
   }
 };
 

@@ -70,7 +70,7 @@ Seen seen(const Frame& f, const Eigen::Vector3f& p_plate, float margin_mm) {
   const Eigen::Vector3f p = f.toCamera(p_plate);
   if (p.z() <= 0) return Seen::NotInPicture;
   const Eigen::Vector2f pixel = f.project(p);
-  if (!f.holds(pixel)) return Seen::NotInPicture;
+  if (!f.shows(pixel)) return Seen::NotInPicture;
   const Eigen::Vector2i nearest = (pixel.array() + 0.5F).cast<int>();
   const int x = nearest.x(), y = nearest.y();
   const int reach = static_cast<int>(std::ceil(margin_mm * f.fx / p.z()));

@@ -25,7 +25,7 @@ bool outsideMask(const Frame& frame, const Eigen::Vector3f& p_plate) {
   const Eigen::Vector3f p = frame.toCamera(p_plate);
   if (p.z() <= 0) return false;
   const Eigen::Vector2f pixel = frame.project(p);
-  if (!frame.holds(pixel)) return false;
+  if (!frame.shows(pixel)) return false;
   const int x = static_cast<int>(pixel.x()), y = static_cast<int>(pixel.y());
   const cv::Mat1f& c = frame.coverage;
   return c(y, x) + c(y, x + 1) + c(y + 1, x) + c(y + 1, x + 1) < 0.02F;

@@ -74,6 +74,23 @@ TEST_F(Hull, OneViewThatIsWrongDoesNotEmptyIt) {
   EXPECT_EQ(carveHull(space_, views_, {}, {})[index(20, 20, 11)], 1);
 }
 
+// r - 0.3 r^3 grows up to 1.05 off the axis; what lies at 1.5 would come to 0.49, in the picture.
+TEST(HullBehindALens, IsNotCarvedByViewsThatDoNotShowIt) {
+  rig::PosedImage before, beside;
+  before.intrinsics = beside.intrinsics = {320, 240, 300, 300, 159.5, 119.5, {}};
+  before.camera_from_plate.translation() = Eigen::Vector3d(-150, 0, 0);
+  beside.intrinsics.distortion[0] = -0.3;
+  const cv::Mat1f none(60, 80, 0.0F), all(60, 80, 1.0F);
+  HullSpace space;
+  space.low = Eigen::Vector3d(150, 0, 100);
+  space.count = {1, 1, 1};
+  const std::vector<HullView> views{
+      {&before, all, none}, {&before, all, none}, {&beside, none, all}, {&beside, none, all}};
+  EXPECT_EQ(carveHull(space, views, {}, {}), std::vector<unsigned char>{1});
+  EXPECT_GT(cv::countNonZero(silhouetteOfHull(space, {1}, views[0], {}).group), 0);
+  EXPECT_EQ(cv::countNonZero(silhouetteOfHull(space, {1}, views[2], {}).group), 0);
+}
+
 TEST_F(Hull, IsTheSameForAnyNumberOfThreads) {
   HullOptions three;
   three.threads = 3;

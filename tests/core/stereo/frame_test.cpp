@@ -120,6 +120,25 @@ TEST(Frame, HasAPlaceForACornerThatTheLensDrewIn) {
   }
 }
 
+// Else what the photograph cut off would count as seen beside the object.
+TEST(Frame, SaysNothingOfWhatLiesBeyondThePhotograph) {
+  const View view = cornerSpot({{-0.1}, rig::Lens::Standard});
+  for (const Frame& frame : buildPyramid(view, 2)) {
+    const float scale = frame.fx / 100;
+    const auto shows = [&](double x, double y) {
+      const Eigen::Vector2d n = view.camera.intrinsics.unproject({x, y});
+      return frame.shows({static_cast<float>(n.x()) * frame.fx + frame.cx,
+                          static_cast<float>(n.y()) * frame.fy + frame.cy});
+    };
+    EXPECT_TRUE(shows(8, 6)) << scale;
+    EXPECT_TRUE(shows(100, 80)) << scale;
+    EXPECT_TRUE(frame.holds({2, 112 * scale}));
+    EXPECT_FALSE(frame.shows({2, 112 * scale})) << "left of the photograph's left edge";
+  }
+  const Frame whole = buildPyramid(viewOf(rising(31, 20), {31, 20, 50, 60, 15.2, 9.7, {}}), 1)[0];
+  EXPECT_TRUE(whole.shown.empty());
+}
+
 TEST(Frame, IsThePhotographsWhereTheObjectStaysWithin) {
   View view = cornerSpot({{-0.1}, rig::Lens::Standard});
   view.mask = cv::Mat1b(view.mask.size(), static_cast<unsigned char>(0));

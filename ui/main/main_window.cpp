@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "ui/capture/capture_screen.h"
-#include "ui/export/project_restoring.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/sidebar.h"
@@ -17,6 +16,7 @@
 #include "ui/main/help_page.h"
 #include "ui/main/open_project.h"
 #include "ui/main/project_care.h"
+#include "ui/main/restored_project.h"
 #include "ui/main/start_screen.h"
 #include "ui/main/window_actions.h"
 #include "ui/main/window_place.h"
@@ -38,8 +38,6 @@ namespace ostraka::ui {
 MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
     : QMainWindow(parent),
       runner_(runner),
-      settings_(readSettings()),
-      known_(settings_),
       undo_(new QUndoGroup(this)),
       queue_(new BatchQueue(this)),
       wizard_(new CaptureWizard(this)),
@@ -102,13 +100,14 @@ void MainWindow::connectParts() {
   connect(start_, &StartScreen::photographsChosen, begun, &BegunProject::beginWith);
   connect(begun, &BegunProject::removed, this, [this](const QString& folder) {
     settings_.forget(folder);
-    keepSettings();
+    settings_.keep();
     start_->setRecent(settings_.recent, settings_.titles);
   });
   auto* repair = new CatalogueRepair(runner_, this);
   connect(start_, &StartScreen::repairWanted, repair, &CatalogueRepair::repair);
   connect(repair, &CatalogueRepair::told, start_, &StartScreen::tell);
-  connectRestoring();
+  auto* restored = new RestoredProject(*this, *start_, runner_);
+  connect(restored, &RestoredProject::said, work_->footer(), &FooterLine::say);
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
   connect(settings_page_, &SettingsPage::projectRenamed, this, &MainWindow::showTitle);
   connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);
@@ -117,34 +116,6 @@ void MainWindow::connectParts() {
   });
   connect(help_, &HelpPage::closed, this, &MainWindow::leaveSidePage);
   connect(help_, &HelpPage::shortcutsWanted, this, &MainWindow::showShortcuts);
-}
-
-void MainWindow::connectRestoring() {
-  auto* restoring = new ProjectRestoring(runner_, this);
-  connect(start_, &StartScreen::restoreWanted, restoring, &ProjectRestoring::restore);
-  connect(start_, &StartScreen::restoreCancelled, restoring, &ProjectRestoring::cancel);
-  connect(restoring, &ProjectRestoring::progressed, start_, &StartScreen::showRestoring);
-  connect(restoring, &ProjectRestoring::restored, this, &MainWindow::takeRestored);
-  connect(restoring, &ProjectRestoring::failed, this, [this](const Error& error) {
-    if (error.code == ErrorCode::Cancelled)
-      return start_->tell(tr("Restoring cancelled"), tr("Nothing was left behind."), {});
-    start_->showError(error);
-    if (session() != nullptr) work_->footer()->say(sentenceOf(error));
-  });
-}
-
-// Whoever opened another project meanwhile keeps it.
-void MainWindow::takeRestored(const QString& folder, const QStringList& damage) {
-  const QString done = tr("The project is restored.");
-  if (session() == nullptr && damage.isEmpty()) {
-    start_->tell(done, folder, {});
-    return openProject(folder);
-  }
-  const QString words =
-      damage.isEmpty() ? folder
-                       : tr("It was archived with damage:") + '\n' + damage.join(QLatin1Char('\n'));
-  start_->tell(done, words, folder);
-  if (session() != nullptr) work_->footer()->say(done);
 }
 
 ProjectSession* MainWindow::session() const {
@@ -187,7 +158,7 @@ void MainWindow::showProject() {
   all_->setCurrentWidget(work_);
   connect(session(), &ProjectSession::initialsChanged, this, [this](const QString& who) {
     settings_.initials = who;
-    keepSettings();
+    settings_.keep();
   });
   connect(session(), &ProjectSession::personRefused, work_->footer(), &FooterLine::say);
   connect(session(), &ProjectSession::stepRefused, this, [this](const QString& why) {
@@ -205,7 +176,7 @@ void MainWindow::showTitle() {
   const QString shown = read_only ? tr("%1 (read-only)").arg(title) : title;
   work_->setTitle(shown);
   settings_.remember(QString::fromStdString(session()->folder().string()), title);
-  keepSettings();
+  settings_.keep();
   setWindowTitle(tr("%1 - Ostraka").arg(shown));
 }
 
@@ -301,19 +272,13 @@ void MainWindow::applySettings(const WindowSettings& settings) {
   if (look) applyLook(*qApp, settings.theme, settings.text_percent);
   queue_->computation()->setThreads(settings.threads);
   if (session() != nullptr) session()->setInitials(settings.initials);
-  keepSettings();
-}
-
-void MainWindow::keepSettings() {
-  settings_ = merged(known_, settings_, readSettings());
-  writeSettings(settings_);
-  known_ = settings_;
+  settings_.keep();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (work_->saysWhatIsLost()) return event->ignore();
   settings_.geometry = saveGeometry();
-  keepSettings();
+  settings_.keep();
   closeProject();
   if (!queue_->computation()->isLeaving()) return event->accept();
   start_->showError({ErrorCode::Cancelled,

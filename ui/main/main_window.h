@@ -1,7 +1,6 @@
 #pragma once
 #include <QMainWindow>
 #include <QString>
-#include <QStringList>
 #include <memory>
 #include <vector>
 
@@ -68,17 +67,14 @@ class MainWindow final : public QMainWindow {
   void buildLayout();
   void connectParts();
   void takeProject(std::shared_ptr<upkeep::Project> project);
-  void connectRestoring();
-  void takeRestored(const QString& folder, const QStringList& damage);
   void showProject();
   void showTitle();
   void tryVirtualRig();
   void applySettings(const WindowSettings& settings);
-  void keepSettings();
   void findProject(const QString& lost, const QString& found);
 
   JobRunner& runner_;
-  WindowSettings settings_, known_;  ///< known_: as last read or written
+  OpenSettings settings_;
   QUndoGroup* undo_;
   BatchQueue* queue_;
   CaptureWizard* wizard_;

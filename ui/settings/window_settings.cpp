@@ -15,6 +15,28 @@ int inRange(int value, int least, int most, int otherwise) {
   return value < least || value > most ? otherwise : value;
 }
 
+// mine, with what another window changed: known is what both began from, stored what that wrote.
+WindowSettings merged(const WindowSettings& known, const WindowSettings& mine,
+                      const WindowSettings& stored) {
+  WindowSettings both = mine;
+  const auto take = [&](auto member) {
+    if (mine.*member == known.*member) both.*member = stored.*member;
+  };
+  take(&WindowSettings::theme);
+  take(&WindowSettings::text_percent);
+  take(&WindowSettings::language);
+  take(&WindowSettings::initials);
+  take(&WindowSettings::threads);
+  take(&WindowSettings::geometry);
+  for (const QString& project : stored.recent) {
+    if (mine.recent.contains(project) || known.recent.contains(project)) continue;
+    both.recent.append(project);
+    both.titles[project] = stored.titles.value(project);
+  }
+  while (both.recent.size() > kMostRecentProjects) both.titles.remove(both.recent.takeLast());
+  return both;
+}
+
 }  // namespace
 
 void WindowSettings::remember(const QString& project, const QString& title) {
@@ -35,27 +57,6 @@ void WindowSettings::moved(const QString& from, const QString& to) {
   recent.removeAll(to);
   recent.replace(recent.indexOf(from), to);
   titles[to] = titles.take(from);
-}
-
-WindowSettings merged(const WindowSettings& known, const WindowSettings& mine,
-                      const WindowSettings& stored) {
-  WindowSettings both = mine;
-  const auto take = [&](auto member) {
-    if (mine.*member == known.*member) both.*member = stored.*member;
-  };
-  take(&WindowSettings::theme);
-  take(&WindowSettings::text_percent);
-  take(&WindowSettings::language);
-  take(&WindowSettings::initials);
-  take(&WindowSettings::threads);
-  take(&WindowSettings::geometry);
-  for (const QString& project : stored.recent) {
-    if (mine.recent.contains(project) || known.recent.contains(project)) continue;
-    both.recent.append(project);
-    both.titles[project] = stored.titles.value(project);
-  }
-  while (both.recent.size() > kMostRecentProjects) both.titles.remove(both.recent.takeLast());
-  return both;
 }
 
 WindowSettings readSettings() {
@@ -89,6 +90,12 @@ void writeSettings(const WindowSettings& settings) {
     titles[title.key()] = title.value();
   kept.setValue(QStringLiteral("titles"), titles);
   kept.setValue(QStringLiteral("geometry"), settings.geometry);
+}
+
+void OpenSettings::keep() {
+  known_ = merged(known_, *this, readSettings());
+  writeSettings(known_);
+  *this = known_;
 }
 
 }  // namespace ostraka::ui

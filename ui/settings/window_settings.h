@@ -24,15 +24,24 @@ struct WindowSettings {
   void moved(const QString& from, const QString& to);  ///< a project's folder
 };
 
-/// mine, with what another window changed meanwhile: known is what both began from, stored what
-/// that window wrote. What both changed is as mine; both windows' projects are recent.
-WindowSettings merged(const WindowSettings& known, const WindowSettings& mine,
-                      const WindowSettings& stored);
-
 inline constexpr int kMostRecentProjects = 8;
 
 /// The one place that reads and writes them; values out of range become the default.
 WindowSettings readSettings();
 void writeSettings(const WindowSettings& settings);
+
+/// Those of a window beside which others may be open.
+class OpenSettings final : public WindowSettings {
+ public:
+  OpenSettings() : WindowSettings(readSettings()), known_(*this) {}
+  using WindowSettings::operator=;
+
+  /// Writes them, and takes what another window changed meanwhile. What both changed is as here;
+  /// both windows' projects are recent.
+  void keep();
+
+ private:
+  WindowSettings known_;  ///< as last read or written
+};
 
 }  // namespace ostraka::ui

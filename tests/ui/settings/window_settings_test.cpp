@@ -42,26 +42,36 @@ class WindowSettingsTest : public QObject {
   }
 
   void whatAnotherWindowChangedMeanwhileStays() {
-    WindowSettings known;
-    known.remember("/a", "Aragats");
-    WindowSettings mine = known, stored = known;
+    OpenSettings first;
+    first.remember("/a", "Aragats");
+    first.keep();
+    OpenSettings mine, other;
     mine.theme = Theme::Dark;
-    stored.theme = Theme::Sunlight;
-    stored.language = QStringLiteral("de");
-    stored.remember("/b", "Other");
-    const WindowSettings both = merged(known, mine, stored);
-    QCOMPARE(both.theme, Theme::Dark);
-    QCOMPARE(both.language, QString("de"));
-    QCOMPARE(both.recent, (QStringList{"/a", "/b"}));
-    QCOMPARE(both.titles.value("/b"), QString("Other"));
+    other.theme = Theme::Sunlight;
+    other.language = QStringLiteral("de");
+    other.remember("/b", "Other");
+    other.keep();
+    mine.keep();
+    for (const WindowSettings& both : {static_cast<WindowSettings>(mine), readSettings()}) {
+      QCOMPARE(both.theme, Theme::Dark);
+      QCOMPARE(both.language, QString("de"));
+      QCOMPARE(both.recent, (QStringList{"/a", "/b"}));
+      QCOMPARE(both.titles.value("/b"), QString("Other"));
+    }
+    other.theme = Theme::Light;  // mine changed nothing since
+    other.keep();
+    mine.keep();
+    QCOMPARE(mine.theme, Theme::Light);
   }
 
   void aProjectThatWasForgottenHereDoesNotComeBack() {
-    WindowSettings known;
-    known.remember("/a", "Aragats");
-    WindowSettings mine = known;
-    mine.recent.clear();
-    QVERIFY(merged(known, mine, known).recent.isEmpty());
+    OpenSettings settings;
+    settings.remember("/a", "Aragats");
+    settings.keep();
+    settings.forget("/a");
+    settings.keep();
+    QVERIFY(settings.recent.isEmpty());
+    QVERIFY(readSettings().recent.isEmpty());
   }
 
   void valuesOutOfRangeBecomeTheDefault() {

@@ -16,6 +16,7 @@
 #include "ui/look/look.h"
 #include "ui/look/state_colours.h"
 #include "ui/widgets/elided_label.h"
+#include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
 namespace {
@@ -24,9 +25,7 @@ constexpr int kFewBatches = 5;
 constexpr int kSaidFor_ms = 12000;
 
 QLabel* label(QWidget* parent, const QString& name, const QString& object) {
-  auto* made = new ElidedLabel(parent);
-  made->setObjectName(object);
-  made->setAccessibleName(name);
+  auto* made = named<ElidedLabel>({object, name}, parent);
   made->setTextFormat(Qt::PlainText);
   return made;
 }
@@ -75,16 +74,12 @@ HeaderLine::HeaderLine(QWidget* parent)
     : QFrame(parent),
       where_(label(this, tr("Where"), QStringLiteral("headerWhere"))),
       rig_(label(this, tr("Rig"), QStringLiteral("headerRig"))),
-      room_(new QLabel(this)) {  // never cut short: 4… is not 44
-  room_->setObjectName(QStringLiteral("headerRoom"));
-  room_->setAccessibleName(tr("Room on the disk"));
+      // Never cut short: 4… is not 44.
+      room_(named<QLabel>({"headerRoom", tr("Room on the disk")}, this)) {
   QFont bold = where_->font();
   bold.setBold(true);
   where_->setFont(bold);
-  auto* row = new QHBoxLayout(this);
-  row->addWidget(where_, 3);
-  row->addWidget(rig_, 2);
-  row->addWidget(room_);
+  filled(new QHBoxLayout(this), {{where_, 3}, {rig_, 2}, room_});
   rig_->setAlignment(Qt::AlignCenter);
   room_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   setCompact(false);
@@ -122,16 +117,11 @@ FooterLine::FooterLine(QAction* pause, QAction* log, QWidget* parent)
   bar_->setTextVisible(false);
   bar_->setAccessibleName(tr("Progress of the computation"));
   bar_->setMaximumWidth(fontMetrics().averageCharWidth() * 24);
-  auto* row = new QHBoxLayout(this);
   // Each gets what its words need; where there is too little for both they share it.
   for (QLabel* words : {work_, said_})
     words->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
-  row->addWidget(work_, 1);
-  row->addWidget(bar_);
-  row->addStretch();
-  row->addWidget(said_, 1);
-  row->addWidget(button(this, pause));
-  row->addWidget(button(this, log));
+  filled(new QHBoxLayout(this),
+         {{work_, 1}, bar_, Part::room(), {said_, 1}, button(this, pause), button(this, log)});
   setWork({}, -1);
   setCompact(false);
 }

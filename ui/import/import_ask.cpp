@@ -11,6 +11,7 @@
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/page_area.h"
+#include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -28,25 +29,15 @@ ImportAsk::ImportAsk(QWidget* parent)
          "only."));
   import_ = new BigButton(QStringLiteral("importStart"), tr("Import"), this);
   import_->setKeyHint(tr("Enter"));
-  auto* leave = new QPushButton(tr("Cancel import"), this);
-  leave->setObjectName(QStringLiteral("importLeave"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(place_, 1);
-  for (QPushButton* button : {static_cast<QPushButton*>(import_), leave}) {
+  auto* leave = named<QPushButton>("importLeave", tr("Cancel import"), this);
+  for (QPushButton* button : {static_cast<QPushButton*>(import_), leave})
     button->setMinimumHeight(targetSize(*this));
-    row->addWidget(button);
-  }
+  auto* row = filled(new QHBoxLayout, {{place_, 1}, import_, leave});
   auto* middle = new QWidget(this);
-  auto* looked_at = bareLayout<QVBoxLayout>(middle);
-  looked_at->addWidget(words_);
-  looked_at->addWidget(sides_);
-  looked_at->addStretch();
+  filled(bareLayout<QVBoxLayout>(middle), {words_, sides_, Part::room()});
   // What is looked at is scrolled where it finds no room; what decides, and why not, is not.
-  auto* column = bareLayout<QVBoxLayout>(this);
-  column->addWidget(new PageArea(middle, this), 1);
-  column->addWidget(reason_);
-  column->addWidget(place_->note());
-  column->addLayout(row);
+  filled(bareLayout<QVBoxLayout>(this),
+         {{new PageArea(middle, this), 1}, reason_, place_->note(), row});
   connect(import_, &QPushButton::clicked, this, &ImportAsk::confirm);
   connect(leave, &QPushButton::clicked, this, &ImportAsk::leave);
   connect(place_, &PlaceEdit::entered, this, &ImportAsk::confirm);

@@ -7,22 +7,19 @@
 
 #include "ui/import/batch_importer.h"
 #include "ui/look/look.h"
+#include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
 
 ImportLine::ImportLine(BatchImporter* importer, QWidget* parent)
-    : QWidget(parent), words_(new QLabel(this)), bar_(new QProgressBar(this)) {
-  bar_->setObjectName(QStringLiteral("importProgress"));
-  bar_->setAccessibleName(tr("How far the import is"));
+    : QWidget(parent),
+      words_(new QLabel(this)),
+      bar_(named<QProgressBar>({"importProgress", tr("How far the import is")}, this)) {
   bar_->setRange(0, 100);
-  auto* stop = new QPushButton(tr("Stop the import"), this);
-  stop->setObjectName(QStringLiteral("importStop"));
+  auto* stop = named<QPushButton>("importStop", tr("Stop the import"), this);
   stop->setMinimumHeight(targetSize(*this));
   stop->setFocusPolicy(Qt::TabFocus);  // Space stays the next thing
-  auto* row = bareLayout<QHBoxLayout>(this);
-  row->addWidget(words_);
-  row->addWidget(bar_, 1);
-  row->addWidget(stop);
+  filled(bareLayout<QHBoxLayout>(this), {words_, {bar_, 1}, stop});
   connect(stop, &QPushButton::clicked, importer, &BatchImporter::cancel);
   connect(importer, &BatchImporter::started, this, [this](const QString& title) {
     words_->setText(title);

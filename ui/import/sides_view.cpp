@@ -14,6 +14,7 @@
 #include "ui/look/look.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/page_acts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/thumbnails.h"
 
 namespace ostraka::ui {
@@ -28,23 +29,16 @@ SidesView::SidesView(QWidget* parent)
     : QWidget(parent),
       parts_{buildPart(QStringLiteral("importFront")), buildPart(QStringLiteral("importBack"))},
       flip_(wrappedLabel(this, QStringLiteral("importFlip"))),
-      where_(new QSlider(Qt::Horizontal, this)),
-      one_side_(new QCheckBox(tr("One side only"), this)),
-      swap_(new QPushButton(tr("Swap sides"), this)),
-      sheet_(new ElidedLabel(this)),
-      clear_sheet_(new QPushButton(tr("Clear sheet"), this)),
+      where_(named<QSlider>({"importDivide", tr("First photograph of the second side")},
+                            Qt::Horizontal, this)),
+      one_side_(named<QCheckBox>("importOneSide", tr("One side only"), this)),
+      swap_(named<QPushButton>("importSwap", tr("Swap sides"), this)),
+      sheet_(named<ElidedLabel>("importSheet", this)),
+      clear_sheet_(named<QPushButton>("importClearSheet", tr("Clear sheet"), this)),
       marker_label_(new QLabel(tr("Side of a marker's &black square"), this)),
-      marker_(new QDoubleSpinBox(this)) {
-  where_->setObjectName(QStringLiteral("importDivide"));
-  where_->setAccessibleName(tr("First photograph of the second side"));
+      marker_(named<QDoubleSpinBox>("importMarker", this)) {
   where_->setMinimumHeight(controlHeight(*this));
-  one_side_->setObjectName(QStringLiteral("importOneSide"));
-  swap_->setObjectName(QStringLiteral("importSwap"));
-  sheet_->setObjectName(QStringLiteral("importSheet"));
-  auto* choose = new QPushButton(tr("Choose sheet…"), this);
-  choose->setObjectName(QStringLiteral("importChooseSheet"));
-  clear_sheet_->setObjectName(QStringLiteral("importClearSheet"));
-  marker_->setObjectName(QStringLiteral("importMarker"));
+  auto* choose = named<QPushButton>("importChooseSheet", tr("Choose sheet…"), this);
   marker_->setKeyboardTracking(false);  // a size is typed when it is whole
   marker_->setRange(0, kLargestMarker_mm);
   marker_->setDecimals(2);
@@ -53,44 +47,21 @@ SidesView::SidesView(QWidget* parent)
   marker_label_->setBuddy(marker_);
   auto* pictures = new QHBoxLayout;
   for (const Part& part : parts_) {
-    auto* pair = new QHBoxLayout;
-    for (QLabel* picture : part.pictures) pair->addWidget(picture);
-    pair->addStretch(1);
-    auto* column = new QVBoxLayout;
-    column->addWidget(part.words);
-    column->addLayout(pair);
-    pictures->addLayout(column, 1);
+    auto* pair = filled(new QHBoxLayout, {part.pictures[0], part.pictures[1], ui::Part::room(1)});
+    pictures->addLayout(filled(new QVBoxLayout, {part.words, pair}), 1);
   }
-  auto* dividing = new QHBoxLayout;
-  dividing->addWidget(where_, 1);
-  dividing->addWidget(one_side_);
-  dividing->addWidget(swap_);
-  dividing->addStretch();
-  auto* back = new QPushButton(tr("Choose back folder…"), this);
-  back->setObjectName(QStringLiteral("importBackFolder"));
+  auto* back = named<QPushButton>("importBackFolder", tr("Choose back folder…"), this);
   back->setToolTip(
       tr("A folder that holds both sides is split where the sherds were turned over; the folder of "
          "the back photographs replaces the split"));
-  dividing->addWidget(back);
+  auto* dividing = filled(new QHBoxLayout, {{where_, 1}, one_side_, swap_, ui::Part::room(), back});
   connect(back, &QPushButton::clicked, this, &SidesView::backWanted);
-  auto* beneath = new QHBoxLayout;
-  beneath->addWidget(sheet_, 1);
-  beneath->addWidget(clear_sheet_);
-  beneath->addWidget(choose);
   auto* print = new PrintSheetButton(QStringLiteral("importPrintSheet"), this);
-  beneath->addWidget(print);
+  auto* beneath = filled(new QHBoxLayout, {{sheet_, 1}, clear_sheet_, choose, print});
   connect(print, &PrintSheetButton::printed, this, &SidesView::sheetPrinted);
   connect(print, &PrintSheetButton::failed, this, &SidesView::sheetNotPrinted);
-  auto* marked = new QHBoxLayout;
-  marked->addWidget(marker_label_);
-  marked->addWidget(marker_);
-  marked->addStretch();
-  auto* column = bareLayout<QVBoxLayout>(this);
-  column->addLayout(pictures);
-  column->addWidget(flip_);
-  column->addLayout(dividing);
-  column->addLayout(beneath);
-  column->addLayout(marked);
+  auto* marked = filled(new QHBoxLayout, {marker_label_, marker_, ui::Part::room()});
+  filled(bareLayout<QVBoxLayout>(this), {pictures, flip_, dividing, beneath, marked});
   QWidget* before = swap_;
   for (QWidget* next :
        std::initializer_list<QWidget*>{back, clear_sheet_, choose, print, marker_}) {

@@ -154,19 +154,16 @@ std::vector<const ManualLine*> foundIn(const std::vector<ManualLine>& lines,
 
 HelpPage::HelpPage(QWidget* parent)
     : QWidget(parent),
-      text_(new ManualText(this)),
+      text_(named<ManualText>({"helpText", tr("Manual")}, this)),
       search_(named<QLineEdit>({QStringLiteral("helpSearch"), tr("Search the manual")}, this)),
       note_(wrappedLabel(this, QStringLiteral("helpNote"))) {
   initialiseManual();
   setObjectName(QStringLiteral("help"));
-  text_->setObjectName(QStringLiteral("helpText"));
-  text_->setAccessibleName(tr("Manual"));
   text_->setSearchPaths({QStringLiteral(":/manual")});
   text_->setOpenExternalLinks(true);
   auto* bar = new QHBoxLayout;
   const auto add = [this, bar](const QString& text, const QString& object) {
-    auto* button = new QPushButton(text, this);
-    button->setObjectName(object);
+    auto* button = named<QPushButton>(object, text, this);
     bar->addWidget(button);
     return button;
   };
@@ -185,10 +182,7 @@ HelpPage::HelpPage(QWidget* parent)
   auto* close = add(tr("Back to work (Esc)"), QStringLiteral("helpClose"));
   close->setShortcut(QKeySequence(Qt::Key_Escape));
   connect(close, &QPushButton::clicked, this, &HelpPage::closed);
-  auto* column = new QVBoxLayout(this);
-  column->addLayout(bar);
-  column->addWidget(note_);
-  column->addWidget(text_, 1);
+  filled(new QVBoxLayout(this), {bar, note_, {text_, 1}});
   // In English, that is untranslated, it goes without saying.
   constexpr const char* kNote = QT_TR_NOOP("The manual is in English.");
   if (const QString words = tr(kNote); words != QLatin1String(kNote)) note_->setText(words);

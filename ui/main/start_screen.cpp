@@ -28,6 +28,7 @@
 #include "ui/widgets/message_panel.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/thumbnails.h"
 #include "upkeep/archived_project.h"
 
@@ -74,30 +75,19 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
   title->setFont(scaledFont(*this, Look::kDecides, true));
   auto* words = new QLabel(tr("Potsherds, both sides, complete and measured."), this);
   words->setForegroundRole(QPalette::PlaceholderText);
-  auto* columns = new QHBoxLayout;
-  columns->addWidget(buildRecent(), 1);
+  auto* columns = filled(new QHBoxLayout, {{buildRecent(), 1}});
   columns->addSpacing(Look::kMargin - Look::kGap);
   columns->addWidget(buildNew(), 1);
   connect(message_, &MessagePanel::acted, this, &StartScreen::act);
-  auto* head = new QHBoxLayout;
-  head->addWidget(title);
-  head->addStretch();
-  const auto addSide = [&](const char* name, const char* picture, const QString& text) {
-    QPushButton* button = iconButton(this, name, picture, text);
-    head->addWidget(button);
-    return button;
-  };
   // The language, too, is chosen there.
-  connect(addSide("startSettings", "settings", tr("Settings")), &QPushButton::clicked, this,
-          &StartScreen::settingsWanted);
-  connect(addSide("startHelp", "help", tr("Help")), &QPushButton::clicked, this,
-          &StartScreen::manualWanted);
+  QPushButton* settings = iconButton(this, "startSettings", "settings", tr("Settings"), this,
+                                     &StartScreen::settingsWanted);
+  QPushButton* help =
+      iconButton(this, "startHelp", "help", tr("Help"), this, &StartScreen::manualWanted);
+  auto* head = filled(new QHBoxLayout, {title, Part::room(), settings, help});
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(Look::kMargin, Look::kGap, Look::kMargin, Look::kGap);
-  all->addLayout(head);
-  all->addWidget(words);
-  all->addWidget(message_);
-  all->addLayout(columns, 1);
+  filled(all, {head, words, message_, {columns, 1}});
   connect(fresh_, &NewProject::changed, this, &StartScreen::follow);
   setAcceptDrops(true);
   connect(new PathDrop(this), &PathDrop::dropped, this, &StartScreen::photographsChosen);
@@ -108,10 +98,8 @@ QWidget* StartScreen::buildRecent() {
   auto* box = new QWidget(this);
   auto* label = new QLabel(tr("&Projects"), box);
   label->setFont(scaledFont(*this, Look::kSection, true));
-  recent_ = new QListWidget(box);
-  recent_->setObjectName(QStringLiteral("recentProjects"));
+  recent_ = named<QListWidget>({"recentProjects", tr("Projects")}, box);
   label->setBuddy(recent_);
-  recent_->setAccessibleName(tr("Projects"));
   const int line = fontMetrics().height();
   recent_->setIconSize(QSize(line * 4, line * 3));
   no_recent_ =
@@ -125,69 +113,55 @@ QWidget* StartScreen::buildRecent() {
   open_->setKeyHint(tr("Enter"));
   connect(open_, &QPushButton::clicked, this, &StartScreen::openChosen);
   connect(recent_, &QListWidget::currentRowChanged, this, &StartScreen::follow);
-  QPushButton* open = iconButton(box, "openProject", "open", tr("&Open from folder…"));
-  QPushButton* restore = iconButton(box, "restoreArchive", "folder", tr("&Restore an archive…"));
+  QPushButton* open = iconButton(box, "openProject", "open", tr("&Open from folder…"), this,
+                                 &StartScreen::chooseProject);
+  QPushButton* restore = iconButton(box, "restoreArchive", "folder", tr("&Restore an archive…"),
+                                    this, &StartScreen::chooseArchive);
   photographs_ = new BigButton(QStringLiteral("startPhotographs"), tr("Import photographs…"), box);
   photographs_->setToolTip(tr("Creates a project named after their folder"));
   QPushButton* virtual_rig =
-      iconButton(box, "tryVirtualRig", "turntable", tr("Try with the virtual rig"));
+      iconButton(box, "tryVirtualRig", "turntable", tr("Try with the virtual rig"), this,
+                 &StartScreen::virtualRigWanted);
   connect(recent_, &QListWidget::itemActivated, this, &StartScreen::openChosen);
-  connect(open, &QPushButton::clicked, this, &StartScreen::chooseProject);
-  connect(restore, &QPushButton::clicked, this, &StartScreen::chooseArchive);
   connect(photographs_, &QPushButton::clicked, this, &StartScreen::choosePhotographs);
-  connect(virtual_rig, &QPushButton::clicked, this, &StartScreen::virtualRigWanted);
   connect(thumbnails_, &Thumbnails::ready, this, [this] {
     for (int i = 0; i < recent_->count(); ++i)
       if (QListWidgetItem* item = recent_->item(i); item->icon().isNull())
         item->setIcon(thumbnails_->get(item->data(Qt::UserRole + 1).toString(),
                                        recent_->iconSize() * devicePixelRatioF()));
   });
-  auto* column = bareLayout<QVBoxLayout>(box);
-  column->addWidget(label);
-  column->addWidget(recent_, 1);
-  column->addWidget(no_recent_, 1);
-  auto* opening = new QHBoxLayout;
-  opening->addWidget(open_, 1);
-  opening->addWidget(open, 1);
   auto* print = new PrintSheetButton(QStringLiteral("startPrintSheet"), box);
   connect(print, &PrintSheetButton::failed, this, &StartScreen::showError);
   connect(print, &PrintSheetButton::printed, this,
           [this](const QString& headline, const QString& words) { tell(headline, words, {}); });
-  column->addLayout(opening);
-  column->addWidget(restore);
-  column->addWidget(photographs_);
-  column->addWidget(virtual_rig);
-  column->addWidget(print);
+  auto* opening = filled(new QHBoxLayout, {{open_, 1}, {open, 1}});
+  filled(
+      bareLayout<QVBoxLayout>(box),
+      {label, {recent_, 1}, {no_recent_, 1}, opening, restore, photographs_, virtual_rig, print});
   return box;
 }
 
 QWidget* StartScreen::buildNew() {
   auto* box = new QGroupBox(tr("New project"), this);
-  const auto field = [this, box](const QString& object) {
-    auto* edit = new QLineEdit(box);
-    edit->setObjectName(object);
+  const auto field = [box](const char* name) {
+    auto* edit = named<QLineEdit>(name, box);
     edit->setAcceptDrops(false);  // a folder is dropped onto the page
     return edit;
   };
-  name_ = field(QStringLiteral("newName"));
-  site_ = field(QStringLiteral("newSite"));
-  folder_ = field(QStringLiteral("newFolder"));
-  numbering_ = field(QStringLiteral("newNumbering"));
+  name_ = field("newName");
+  site_ = field("newSite");
+  folder_ = field("newFolder");
+  numbering_ = field("newNumbering");
   name_->setPlaceholderText(tr("Aragats 2026"));
   site_->setPlaceholderText(QStringLiteral("ARM1"));
   numbering_->setText(fresh_->numbering());
-  auto* browse = new QToolButton(box);
+  auto* browse = named<QToolButton>({"newBrowse", tr("Choose the folder")}, box);
   browse->setText(tr("Choose…"));
-  browse->setAccessibleName(tr("Choose the folder"));
-  browse->setObjectName(QStringLiteral("newBrowse"));
-  example_ = new QLabel(box);
-  example_->setObjectName(QStringLiteral("newExample"));
+  example_ = named<QLabel>("newExample", box);
   example_->setFont(scaledFont(*this, Look::kSection));
   refusal_ = wrappedLabel(box, QStringLiteral("newRefusal"));
   make_ = new BigButton(QStringLiteral("makeProject"), tr("Create project"), box);
-  auto* place = new QHBoxLayout;
-  place->addWidget(folder_, 1);
-  place->addWidget(browse);
+  auto* place = filled(new QHBoxLayout, {{folder_, 1}, browse});
   auto* fields = new QWidget(box);
   auto* form = bareLayout<QFormLayout>(fields);
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
@@ -199,10 +173,7 @@ QWidget* StartScreen::buildNew() {
   form->addRow(tr("N&umbering"), numbering_);
   form->addRow(tr("Example"), example_);
   alignForm(*form);
-  auto* column = new QVBoxLayout(box);
-  column->addWidget(new PageArea(fields, box), 1);
-  column->addWidget(refusal_);
-  column->addWidget(make_);
+  filled(new QVBoxLayout(box), {{new PageArea(fields, box), 1}, refusal_, make_});
   setTabOrder(folder_, browse);
   setTabOrder(browse, numbering_);
   connect(name_, &QLineEdit::textEdited, fresh_, &NewProject::setName);

@@ -90,14 +90,11 @@ void SettingsPage::buildLayout() {
   auto* middle = new QWidget(this);
   auto* parts = new QVBoxLayout(middle);
   parts->addLayout(form);
-  parts->addSpacing(Look::kMargin);
-  parts->addWidget(project_);
-  parts->addSpacing(Look::kMargin);
-  parts->addWidget(numbering_);
-  parts->addSpacing(Look::kMargin);
-  parts->addWidget(vocabulary_);
-  parts->addSpacing(Look::kMargin);
-  parts->addWidget(rights_);
+  for (QWidget* part :
+       std::initializer_list<QWidget*>{project_, numbering_, vocabulary_, rights_}) {
+    parts->addSpacing(Look::kMargin);
+    parts->addWidget(part);
+  }
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(Look::kMargin, Look::kGroup, Look::kMargin, 0);
   auto* close =

@@ -181,8 +181,7 @@ Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std
                                      : options.sides ? sidesOf(*options.sides, progress)
                                                      : batchIn(options.from, progress);
   if (!files) return files.error();
-  std::sort(files->begin(), files->end(),
-            [](const Taken& a, const Taken& b) { return a.as < b.as; });
+  std::ranges::sort(*files, {}, &Taken::as);
   Imported imported;
   if (!options.twice) {
     Result<Imported> same = batchWithTheSame(options, stop);

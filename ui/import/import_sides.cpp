@@ -66,8 +66,7 @@ Result<std::vector<fs::path>> sidesOfBatch(const fs::path& folder) {
     return none;
   const std::vector<batch::Shot>& shots = read->shots;
   if (shots.front().side == shots.back().side ||
-      std::any_of(shots.begin(), shots.end(),
-                  [](const batch::Shot& shot) { return !shot.mask_file.empty(); }))
+      std::ranges::any_of(shots, [](const batch::Shot& shot) { return !shot.mask_file.empty(); }))
     return none;
   return std::vector<fs::path>{shots.front().file.parent_path(), shots.back().file.parent_path()};
 }

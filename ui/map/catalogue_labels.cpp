@@ -116,10 +116,10 @@ QString commonBeginning(const QStringList& numbers) {
     for (qsizetype size = 1; size < number.size(); ++size) {
       if (number[size - 1].isLetterOrNumber()) continue;
       const QString beginning = number.left(size);
-      const auto sharing = std::count_if(numbers.begin(), numbers.end(), [&](const QString& other) {
+      const auto sharing = std::ranges::count_if(numbers, [&](const QString& other) {
         return other.startsWith(beginning) && other.size() > size;
       });
-      const bool clear = std::none_of(numbers.begin(), numbers.end(), [&](const QString& other) {
+      const bool clear = std::ranges::none_of(numbers, [&](const QString& other) {
         return other.startsWith(beginning)
                    ? numbers.contains(other.mid(size))
                    : other.count(QLatin1Char('-')) == number.count(QLatin1Char('-'));
@@ -158,8 +158,8 @@ QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue, const QStri
   const auto contexts = catalogue::Places(catalogue).contexts();
   if (!bags || !contexts) return labels;
   for (const records::BagRecord& bag : *bags) {
-    const auto place = std::find_if(contexts->begin(), contexts->end(),
-                                    [&](const auto& c) { return c.row == bag.context; });
+    const auto place =
+        std::ranges::find_if(*contexts, [&](const auto& c) { return c.row == bag.context; });
     if (place == contexts->end()) continue;
     QStringList parts;
     for (const std::string* part :
@@ -170,8 +170,7 @@ QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue, const QStri
                    QString::fromStdString(bag.collected_on),
                    codeOf(QLatin1Char('B'), number, bag.id), contentsOf(bag, initials)});
   }
-  std::stable_sort(labels.begin(), labels.end(),
-                   [](const SherdLabel& a, const SherdLabel& b) { return a.number < b.number; });
+  std::ranges::stable_sort(labels, {}, &SherdLabel::number);
   return labels;
 }
 

@@ -236,9 +236,8 @@ QString MapScreen::pageTitle() const {
 // Such labels are for the table, not for the bag: in the store nobody knows their batch.
 QString MapScreen::unnumberedWords() const {
   const QVector<PlateSherd> all = sherds();
-  const auto none = static_cast<int>(std::count_if(all.begin(), all.end(), [](const auto& sherd) {
-    return sherd.getsLabel() && !sherd.has_final_number;
-  }));
+  const auto none = static_cast<int>(std::ranges::count_if(
+      all, [](const auto& sherd) { return sherd.getsLabel() && !sherd.has_final_number; }));
   return none > 0 ? tr("%n sherd(s) of this batch have no number yet: their labels name the batch.",
                        nullptr, none)
                   : QString();

@@ -45,9 +45,8 @@ const merge::Choice* MergeModel::choiceOf(const merge::Conflict& conflict) const
 }
 
 int MergeModel::unsettled() const {
-  return static_cast<int>(
-      std::count_if(conflicts_.begin(), conflicts_.end(),
-                    [this](const merge::Conflict& one) { return choiceOf(one) == nullptr; }));
+  return static_cast<int>(std::ranges::count_if(
+      conflicts_, [this](const merge::Conflict& one) { return choiceOf(one) == nullptr; }));
 }
 
 void MergeModel::settle(const std::vector<int>& conflicts, const merge::Choice& choice) {

@@ -61,9 +61,8 @@ void CardListModel::update() {
   QModelIndexList after;
   for (const QModelIndex& i : before) {
     const ReviewRow& was = at(i.row());
-    const auto now = std::find_if(rows.begin(), rows.end(), [&](const ReviewRow& row) {
-      return row.isAbout(was.front, was.back);
-    });
+    const auto now = std::ranges::find_if(
+        rows, [&](const ReviewRow& row) { return row.isAbout(was.front, was.back); });
     after.append(now == rows.end() ? QModelIndex() : index(static_cast<int>(now - rows.begin())));
   }
   rows_ = std::move(rows);

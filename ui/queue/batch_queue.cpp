@@ -184,8 +184,7 @@ QVariant BatchQueue::data(const QModelIndex& index, int role) const {
 }
 
 int BatchQueue::rowOf(const QString& number) const {
-  const auto at = std::find_if(rows_.begin(), rows_.end(),
-                               [&](const QueueRow& r) { return r.number == number; });
+  const auto at = std::ranges::find(rows_, number, &QueueRow::number);
   return at == rows_.end() ? -1 : static_cast<int>(at - rows_.begin());
 }
 
@@ -388,14 +387,14 @@ void BatchQueue::forgetMoved(const QString& number) {
 }
 
 int BatchQueue::waitingToCompute() const {
-  return static_cast<int>(std::count_if(rows_.begin(), rows_.end(), [](const QueueRow& row) {
+  return static_cast<int>(std::ranges::count_if(rows_, [](const QueueRow& row) {
     return row.state == QueueState::Waiting || row.state == QueueState::Busy ||
            row.state == QueueState::Paused;
   }));
 }
 
 int BatchQueue::failed() const {
-  return static_cast<int>(std::count_if(rows_.begin(), rows_.end(), [](const QueueRow& row) {
+  return static_cast<int>(std::ranges::count_if(rows_, [](const QueueRow& row) {
     return row.state == QueueState::Failed && !row.cancelled;
   }));
 }

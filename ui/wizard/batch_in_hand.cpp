@@ -32,9 +32,8 @@ void BatchInHand::resume() {
   if (session_ == nullptr) return;
   const auto batches = catalogue::Batches(session_->project().catalogue()).all();
   if (!batches) return;
-  const auto last = std::find_if(batches->begin(), batches->end(), [](const auto& batch) {
-    return batch.state <= records::BatchState::Back;
-  });
+  const auto last = std::ranges::find_if(
+      *batches, [](const auto& batch) { return batch.state <= records::BatchState::Back; });
   if (last == batches->end()) return;
   take(*last);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
+#include <opencv2/imgproc.hpp>
 
 namespace ostraka::model {
 namespace {
@@ -12,27 +13,21 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
+constexpr int kSamples = 2;  // per pixel and axis
+
 struct Frame {
   double px_per_mm = 1;
   Vector3d centre = Vector3d::Zero();  // in the view
 };
 
-struct Box {
-  Vector3d low = Vector3d::Constant(INFINITY), high = Vector3d::Constant(-INFINITY);
-};
-
-Box boxOf(const TriangleMesh& mesh, const Matrix3d& view) {
-  Box box;
-  for (const Vector3f& v : mesh.vertices) {
-    const Vector3d p = view * v.cast<double>();
-    box.low = box.low.cwiseMin(p);
-    box.high = box.high.cwiseMax(p);
-  }
+Eigen::AlignedBox3d boxOf(const TriangleMesh& mesh, const Matrix3d& view) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3f& v : mesh.vertices) box.extend(Vector3d(view * v.cast<double>()));
   return box;
 }
 
-double fittingScale(const Box& box, const PreviewOptions& o) {
-  const Vector3d extent = (box.high - box.low).cwiseMax(1e-3);
+double fittingScale(const Eigen::AlignedBox3d& box, const PreviewOptions& o) {
+  const Vector3d extent = box.sizes().cwiseMax(1e-3);
   const double free = 1 - 2 * o.margin;
   return std::min(free * o.width_px / extent[0], free * o.height_px / extent[1]);
 }
@@ -49,11 +44,8 @@ class Raster {
  public:
   Raster(const TriangleMesh& mesh, const Matrix3d& view, const Frame& frame,
          const PreviewOptions& o)
-      : mesh_(mesh),
-        o_(o),
-        width_(o.width_px * o.supersampling),
-        height_(o.height_px * o.supersampling) {
-    const double s = frame.px_per_mm * o.supersampling;
+      : mesh_(mesh), o_(o), width_(o.width_px * kSamples), height_(o.height_px * kSamples) {
+    const double s = frame.px_per_mm * kSamples;
     for (const Vector3f& v : mesh.vertices) {
       const Vector3d p = view * v.cast<double>() - frame.centre;
       points_.emplace_back(0.5 * width_ + s * p[0] - 0.5, 0.5 * height_ - s * p[1] - 0.5, p[2]);
@@ -129,27 +121,14 @@ class Raster {
   cv::Mat image_;
 };
 
-// Mean of each block of samples.
-cv::Mat averaged(const cv::Mat& fine, int n) {
-  cv::Mat out(fine.rows / n, fine.cols / n, CV_8UC3);
-  for (int y = 0; y < out.rows; ++y)
-    for (int x = 0; x < out.cols; ++x) {
-      int sum[3] = {};
-      for (int j = 0; j < n * n; ++j) {
-        const cv::Vec3b& p = fine.at<cv::Vec3b>(y * n + j / n, x * n + j % n);
-        for (int k = 0; k < 3; ++k) sum[k] += p[k];
-      }
-      for (int k = 0; k < 3; ++k)
-        out.at<cv::Vec3b>(y, x)[k] = static_cast<std::uint8_t>((sum[k] + n * n / 2) / (n * n));
-    }
-  return out;
-}
-
 cv::Mat drawn(const TriangleMesh& mesh, const Matrix3d& view, double px_per_mm,
               const PreviewOptions& o) {
-  const Box box = boxOf(mesh, view);
-  const Frame frame{px_per_mm, 0.5 * (box.low + box.high)};
-  return averaged(Raster(mesh, view, frame, o).run(), std::max(1, o.supersampling));
+  const Eigen::AlignedBox3d box = boxOf(mesh, view);
+  const Frame frame{px_per_mm, 0.5 * (box.min() + box.max())};
+  cv::Mat out;
+  cv::resize(Raster(mesh, view, frame, o).run(), out, {o.width_px, o.height_px}, 0, 0,
+             cv::INTER_AREA);
+  return out;
 }
 
 // The sherd without a ground: what differs between a white and a black one shines through.

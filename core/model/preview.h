@@ -13,7 +13,6 @@ struct PreviewOptions {
   Color clay = {188, 176, 160};         ///< for meshes without colours
   Color background = {255, 255, 255};
   Color filled = {220, 120, 40};  ///< faces that no camera saw
-  int supersampling = 2;          ///< samples per pixel and axis
   /// Colour (red, green, blue, 0..255) at a place of a triangle, by the weights of its corners;
   /// empty: that of the mesh's vertices.
   std::function<Eigen::Vector3d(const std::array<int, 3>&, const std::array<double, 3>&)> color_at =

@@ -8,33 +8,25 @@
 #include "files/json_text.h"
 #include "sherds/sherds.h"
 
+namespace ostraka::checks {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MovedCamera, camera, residual_px, moved_mm, turned_rad)
+}  // namespace ostraka::checks
+namespace ostraka::sherds {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(UnlikeBefore, number, before_mm, now_mm)
+}  // namespace ostraka::sherds
+
 namespace ostraka::intake {
+// What is kept of a batch; what is absent was not known to the version that kept it.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(BatchFigures, sherds, sure, decided, ask, reshoot,
+                                                uncertainty_mm, seconds, draft, counted, moved,
+                                                unlike, numbers_left)
+
 namespace {
 
 using nlohmann::json;
 
 std::string figuresKey(const std::string& batch_number) {
   return "queue.figures." + batch_number;
-}
-
-BatchFigures figuresFrom(const json& kept) {
-  BatchFigures figures;
-  figures.sherds = kept.value("sherds", 0);
-  figures.sure = kept.value("sure", 0);
-  figures.decided = kept.value("decided", 0);
-  figures.ask = kept.value("ask", 0);
-  figures.reshoot = kept.value("reshoot", 0);
-  figures.uncertainty_mm = kept.value("uncertainty_mm", 0.0);
-  figures.seconds = kept.value("seconds", 0.0);
-  figures.draft = kept.value("draft", false);
-  figures.counted = kept.value("counted", 0);
-  for (const json& camera : kept.value("moved", json::array()))
-    figures.moved.push_back({camera.at("camera"), camera.at("residual_px"), camera.at("moved_mm"),
-                             camera.at("turned_rad")});
-  for (const json& sherd : kept.value("unlike", json::array()))
-    figures.unlike.push_back({sherd.at("number"), sherd.at("before_mm"), sherd.at("now_mm")});
-  figures.numbers_left = kept.value("numbers_left", std::vector<std::string>());
-  return figures;
 }
 
 }  // namespace
@@ -54,7 +46,7 @@ std::optional<BatchFigures> keptFigures(const catalogue::Catalogue& catalogue,
   const json kept = jsonOrDiscarded(*text);
   if (!kept.is_object()) return std::nullopt;
   try {
-    return figuresFrom(kept);
+    return kept.get<BatchFigures>();
   } catch (const json::exception&) {
     return std::nullopt;
   }
@@ -81,21 +73,7 @@ std::optional<BatchFigures> shownFigures(const catalogue::Catalogue& catalogue,
 
 Result<void> keepFigures(catalogue::Catalogue& catalogue, const std::string& batch_number,
                          const BatchFigures& figures) {
-  json kept = {{"sherds", figures.sherds},   {"sure", figures.sure},
-               {"decided", figures.decided}, {"ask", figures.ask},
-               {"reshoot", figures.reshoot}, {"uncertainty_mm", figures.uncertainty_mm},
-               {"seconds", figures.seconds}, {"draft", figures.draft},
-               {"counted", figures.counted}, {"moved", json::array()},
-               {"unlike", json::array()},    {"numbers_left", figures.numbers_left}};
-  for (const checks::MovedCamera& camera : figures.moved)
-    kept["moved"].push_back({{"camera", camera.camera},
-                             {"residual_px", camera.residual_px},
-                             {"moved_mm", camera.moved_mm},
-                             {"turned_rad", camera.turned_rad}});
-  for (const sherds::UnlikeBefore& sherd : figures.unlike)
-    kept["unlike"].push_back(
-        {{"number", sherd.number}, {"before_mm", sherd.before_mm}, {"now_mm", sherd.now_mm}});
-  return catalogue::Settings(catalogue).setValue(figuresKey(batch_number), kept.dump());
+  return catalogue::Settings(catalogue).setValue(figuresKey(batch_number), json(figures).dump());
 }
 
 }  // namespace ostraka::intake

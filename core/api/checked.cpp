@@ -21,8 +21,7 @@ Result<PointCloud> checkedCloud(const PointCloud& cloud, const std::string& name
                            name);
   if (!std::all_of(cloud.points.begin(), cloud.points.end(), finite) ||
       !std::all_of(cloud.normals.begin(), cloud.normals.end(), finite) ||
-      !std::all_of(cloud.quality.begin(), cloud.quality.end(),
-                   [](float quality) { return std::isfinite(quality); }))
+      !std::ranges::all_of(cloud.quality, [](float quality) { return std::isfinite(quality); }))
     return Error::unusable(
         message("A point, a normal or a quality of the scan is not finite; leave such points out."),
         name);

@@ -41,8 +41,7 @@ bool isCamera(const DensePhotograph& p) {
   const auto isFocal = [&](double f) { return f > 0.01 * side && f < 1000 * side; };
   const auto isCentre = [&](double c) { return std::abs(c) < 1000 * side; };
   return isFocal(p.fx) && isFocal(p.fy) && isCentre(p.cx) && isCentre(p.cy) &&
-         std::all_of(p.distortion.begin(), p.distortion.end(),
-                     [](double k) { return std::isfinite(k); }) &&
+         std::ranges::all_of(p.distortion, [](double k) { return std::isfinite(k); }) &&
          !cameraOf(p).folds();
 }
 

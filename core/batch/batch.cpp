@@ -214,7 +214,7 @@ class Reader {
       masks.attachTo(shot, progress_);
       batch_.shots.push_back(std::move(shot));
     }
-    std::sort(batch_.shots.begin(), batch_.shots.end(), [](const Shot& a, const Shot& b) {
+    std::ranges::sort(batch_.shots, [](const Shot& a, const Shot& b) {
       return Key(a.side, a.camera, a.stop) < Key(b.side, b.camera, b.stop);
     });
   }
@@ -233,7 +233,7 @@ class Reader {
   // a single picture from above is meant so.
   bool goesRound(const Layout& layout, Side side, int camera) const {
     const std::set<int> stops = stopsOf(layout, side);
-    const auto has = std::count_if(stops.begin(), stops.end(), [&](int stop) {
+    const auto has = std::ranges::count_if(stops, [&](int stop) {
       return named_.contains({side, camera, stop});
     });
     return 2 * static_cast<std::size_t>(has) >= stops.size() && has > 0;
@@ -277,8 +277,7 @@ class Reader {
     std::map<int, ImageSize> usual;
     for (const auto& [camera, sizes] : counts) {
       const auto most =
-          std::max_element(sizes.begin(), sizes.end(),
-                           [](const auto& a, const auto& b) { return a.second < b.second; });
+          std::ranges::max_element(sizes, {}, [](const auto& one) { return one.second; });
       usual[camera] = {most->first.first, most->first.second};
     }
     return usual;
@@ -298,8 +297,8 @@ class Reader {
   }
 
   Result<void> checkViews(const Layout& layout, Side side) const {
-    const auto views = std::count_if(batch_.shots.begin(), batch_.shots.end(),
-                                     [&](const Shot& shot) { return shot.side == side; });
+    const auto views =
+        std::ranges::count_if(batch_.shots, [&](const Shot& shot) { return shot.side == side; });
     if (views >= options_.min_views_per_side) return {};
     return Error{ErrorCode::NotEnough,
                  message(side == Side::Front

@@ -72,14 +72,12 @@ std::size_t sideOf(const Shot& shot) {
 // All but one are left out; returns that one.
 std::size_t keepOne(const std::vector<Shot>& shots, const std::vector<std::size_t>& copies,
                     std::set<std::size_t>& left_out, Progress& progress) {
-  const std::size_t kept =
-      *std::min_element(copies.begin(), copies.end(), [&](std::size_t a, std::size_t b) {
-        const auto rank = [&](std::size_t i) {
-          return std::tuple(shots[i].mask_file.empty(), shots[i].file.filename().string().size(),
-                            i);
-        };
-        return rank(a) < rank(b);
-      });
+  const std::size_t kept = *std::ranges::min_element(copies, [&](std::size_t a, std::size_t b) {
+    const auto rank = [&](std::size_t i) {
+      return std::tuple(shots[i].mask_file.empty(), shots[i].file.filename().string().size(), i);
+    };
+    return rank(a) < rank(b);
+  });
   for (const std::size_t copy : copies)
     if (copy != kept) {
       left_out.insert(copy);

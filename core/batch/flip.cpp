@@ -66,8 +66,7 @@ Series seriesOf(std::vector<fs::path> files) {
   for (const fs::path& file : files)
     if (const auto ms = readExif(file).takenMs()) timed.emplace_back(*ms, file);
   if (timed.size() == files.size() && !files.empty()) {
-    std::stable_sort(timed.begin(), timed.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(timed, {}, [](const auto& one) { return one.first; });
     std::vector<std::int64_t> times;
     for (const auto& [ms, file] : timed) {
       times.push_back(ms);

@@ -10,8 +10,7 @@ Result<MaskSource> maskSource(const std::string& masks, const Batch& batch) {
   if (masks == "given") return MaskSource::Given;
   if (masks != "auto") return MaskSource::Network;
   if (batch.plate) return MaskSource::Plate;
-  if (std::any_of(batch.shots.begin(), batch.shots.end(),
-                  [](const Shot& shot) { return !shot.mask_file.empty(); }))
+  if (std::ranges::any_of(batch.shots, [](const Shot& shot) { return !shot.mask_file.empty(); }))
     return MaskSource::Given;
   if (batch.way == Way::FreeCamera) return MaskSource::Views;
   return Error::unusable(

@@ -335,9 +335,8 @@ void GivenMasks::attachTo(Shot& shot, Progress& progress) const {
 Result<void> readDescriptions(const std::vector<fs::path>& plates, const ReadBatchOptions& options,
                               Batch& batch) {
   std::error_code ignored;
-  const auto found = std::find_if(plates.begin(), plates.end(), [&ignored](const fs::path& file) {
-    return fs::exists(file, ignored);
-  });
+  const auto found = std::ranges::find_if(
+      plates, [&ignored](const fs::path& file) { return fs::exists(file, ignored); });
   if (options.sheet || found != plates.end()) {
     batch.plate_file = options.sheet ? wholePath(*options.sheet) : *found;
     Result<Plate> plate = readPlate(batch.plate_file);

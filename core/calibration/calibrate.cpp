@@ -218,9 +218,8 @@ class Poser : MarkerPoser {
   }
 
   SidesShot sidesShot() const {
-    const bool back =
-        std::any_of(batch_.shots.begin(), batch_.shots.end(),
-                    [](const batch::Shot& shot) { return shot.side == batch::Side::Back; });
+    const bool back = std::ranges::any_of(
+        batch_.shots, [](const batch::Shot& shot) { return shot.side == batch::Side::Back; });
     return back ? SidesShot::Both : SidesShot::FrontOnly;
   }
 
@@ -272,9 +271,8 @@ class Poser : MarkerPoser {
   // Which camera stands elsewhere than the known rig has it, in words.
   void sayWhatMoved(const RigState& known) {
     auto& cameras = out_.cameras;
-    const auto best = std::min_element(cameras.begin(), cameras.end(), [](auto& a, auto& b) {
-      return a.known_residual_px < b.known_residual_px;
-    });
+    const auto best = std::ranges::min_element(
+        cameras, [](auto& a, auto& b) { return a.known_residual_px < b.known_residual_px; });
     const auto reference = static_cast<std::size_t>(best - cameras.begin());
     for (std::size_t c = 0; c < cameras.size(); ++c) {
       if (c == reference || !start_.camera_posed[c]) continue;

@@ -43,8 +43,7 @@ std::vector<OwnFocal> ownFocals(const std::vector<int>& lenses, int lens,
         intrinsicsFromPlate(views.subspan(i, 1), shots[i].width, shots[i].height);
     if (alone) own.push_back({alone->intrinsics.fx, i});
   }
-  std::sort(own.begin(), own.end(),
-            [](const OwnFocal& a, const OwnFocal& b) { return a.focal < b.focal; });
+  std::ranges::sort(own, {}, &OwnFocal::focal);
   return own;
 }
 

@@ -136,8 +136,8 @@ Result<void> renameToNew(const fs::path& from, const fs::path& to) {
 Result<void> checkPlate(const fs::path& batch, const batch::Plate& plate) {
   const Result<Manifest> manifest = readManifest(batch);
   if (!manifest) return manifest.error();
-  const bool taken = std::any_of(manifest->entries.begin(), manifest->entries.end(),
-                                 [](const ManifestEntry& entry) { return entry.used; });
+  const bool taken =
+      std::ranges::any_of(manifest->entries, [](const ManifestEntry& entry) { return entry.used; });
   return taken ? isThisPlate(batch / "plate.json", plate) : Result<void>();
 }
 
@@ -239,9 +239,8 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
 
 Result<Arriving> BatchStore::stage(const std::vector<devices::CameraFile>& files, int camera,
                                    int stop, double angle_deg, const devices::CameraId& id) const {
-  const auto photograph =
-      std::find_if(files.begin(), files.end(),
-                   [](const devices::CameraFile& f) { return !photographExtension(f).empty(); });
+  const auto photograph = std::ranges::find_if(
+      files, [](const devices::CameraFile& f) { return !photographExtension(f).empty(); });
   if (photograph == files.end())
     return Error::unusable(
         message("Camera %1 delivers raw files only; set its image format to JPEG, or to both.",
@@ -326,20 +325,17 @@ Result<void> BatchStore::setAside(const std::vector<ShotName>& shots, const std:
 }
 
 bool BatchStore::holdsElsewhere(const ManifestEntry& entry) const {
-  return std::any_of(manifest_.entries.begin(), manifest_.entries.end(),
-                     [&](const ManifestEntry& e) {
-                       const bool same_shot =
-                           e.side == entry.side && e.stop == entry.stop && e.camera == entry.camera;
-                       return !same_shot && e.sha256 == entry.sha256;
-                     });
+  return std::ranges::any_of(manifest_.entries, [&](const ManifestEntry& e) {
+    const bool same_shot = e.side == entry.side && e.stop == entry.stop && e.camera == entry.camera;
+    return !same_shot && e.sha256 == entry.sha256;
+  });
 }
 
 std::vector<Message> BatchStore::otherSettings(
     const ManifestEntry& entry, const std::map<std::string, std::string>& of_rig) const {
-  const auto first =
-      std::find_if(manifest_.entries.begin(), manifest_.entries.end(), [&](const ManifestEntry& e) {
-        return e.used && e.camera == entry.camera && !e.settings.empty();
-      });
+  const auto first = std::ranges::find_if(manifest_.entries, [&](const ManifestEntry& e) {
+    return e.used && e.camera == entry.camera && !e.settings.empty();
+  });
   std::vector<Message> others;
   for (const auto& [name, now] : entry.settings) {
     if (const auto rig = of_rig.find(name); rig != of_rig.end()) {

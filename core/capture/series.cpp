@@ -149,9 +149,8 @@ Result<void> Series::findPosition() {
   if (homed) return {};
   if (homed.error().code != ErrorCode::Missing) return homed;
   // No switch. Photographs of this side tell where the plate stands; without any, a person must.
-  const bool seen = std::any_of(watches_.begin(), watches_.end(), [](const Watch& watch) {
-    return watch.reference.inspection.has_value();
-  });
+  const bool seen = std::ranges::any_of(
+      watches_, [](const Watch& watch) { return watch.reference.inspection.has_value(); });
   if (!seen)
     return Error::notEnough(
         message(

@@ -58,7 +58,7 @@ bool ShotCheck::has(ShotProblem problem) const {
 
 bool ShotCheck::keepable() const {
   using enum ShotProblem;
-  return std::none_of(problems.begin(), problems.end(), [](ShotProblem problem) {
+  return std::ranges::none_of(problems, [](ShotProblem problem) {
     return problem == Unreadable || problem == WrongStop || problem == Unplaced ||
            problem == OtherSize || problem == Repeated;
   });
@@ -108,8 +108,7 @@ ShotCheck checkOf(const PlateInspection& inspection, double angle_deg,
                    (check.has(ShotProblem::FewMarkers) && reference.markers_seen >= kLeastMarkers);
   add(inspection.dark_share > kMostDarkShare, ShotProblem::TooDark);
   add(inspection.bright_share > kMostBrightShare, ShotProblem::TooBright);
-  add(std::any_of(inspection.sherds.begin(), inspection.sherds.end(),
-                  [](const SeenSherd& s) { return s.cut_off; }),
+  add(std::ranges::any_of(inspection.sherds, [](const SeenSherd& s) { return s.cut_off; }),
       ShotProblem::CutOff);
   return check;
 }

@@ -142,9 +142,8 @@ Result<PhotoFindings> checkPhotographs(std::span<const rig::PosedImage> images,
     shares[images[i].side] += 1;
   }
   for (auto& [side, share] : shares)
-    share /= static_cast<double>(
-        std::count_if(images.begin(), images.end(),
-                      [&, of = side](const rig::PosedImage& image) { return image.side == of; }));
+    share /= static_cast<double>(std::ranges::count_if(
+        images, [&, of = side](const rig::PosedImage& image) { return image.side == of; }));
   PhotoFindings findings;
   std::map<batch::Side, double> sharpest_used;
   for (std::size_t i = 0; i < images.size(); ++i) {

@@ -100,8 +100,7 @@ std::vector<std::optional<Offset>> offsetsOn(const rig::PosedImage& image, const
   std::vector<std::optional<Offset>> offsets(scans.size());
   for (std::size_t k = 0; k < scans.size(); ++k) {
     const auto most =
-        std::max_element(votes[k].begin(), votes[k].end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
+        std::ranges::max_element(votes[k], {}, [](const auto& one) { return one.second; });
     if (most == votes[k].end() || most->second < options.own_share * all[most->first]) continue;
     const auto patch = hullCentre(rims[static_cast<std::size_t>(most->first)]);
     const auto scan = hullCentre(pixels[k]);
@@ -155,8 +154,8 @@ std::optional<MovedSherd> movedOf(const std::vector<Offset>& offsets,
   std::optional<MovedSherd> best;
   double least = still / options.least_gain;
   for (const int stop : stops) {
-    const auto after = std::count_if(offsets.begin(), offsets.end(),
-                                     [&](const Offset& o) { return images[o.image].stop >= stop; });
+    const auto after = std::ranges::count_if(
+        offsets, [&](const Offset& o) { return images[o.image].stop >= stop; });
     const auto before = static_cast<std::ptrdiff_t>(offsets.size()) - after;
     if (std::min(before, after) < options.least_beyond) continue;
     const auto [step, left] = fitted(offsets, images, columns, stop);

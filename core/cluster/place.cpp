@@ -26,18 +26,16 @@ constexpr const char* kClaim =
 
 // Letters, digits and what neither a shell, ssh, rsync nor Slurm reads as something else.
 bool isPlain(std::string_view text, std::string_view also) {
-  return !text.empty() && text.front() != '-' &&
-         std::all_of(text.begin(), text.end(), [&](unsigned char c) {
-           return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
-                  also.find(static_cast<char>(c)) != std::string_view::npos;
-         });
+  return !text.empty() && text.front() != '-' && std::ranges::all_of(text, [&](unsigned char c) {
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+           also.find(static_cast<char>(c)) != std::string_view::npos;
+  });
 }
 
 // Slurm replaces %x in the names of files, and reads \ as an escape.
 bool isReadAsItStands(std::string_view path) {
-  return std::none_of(path.begin(), path.end(), [](unsigned char c) {
-    return c < 0x20 || c == 0x7F || c == '%' || c == '\\';
-  });
+  return std::ranges::none_of(
+      path, [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '%' || c == '\\'; });
 }
 
 std::string quoted(const std::string& word) {

@@ -37,8 +37,7 @@ std::optional<int> number(std::string_view text) {
 
 bool isWord(std::string_view text) {
   return text.size() <= kLongestReason &&
-         std::all_of(text.begin(), text.end(),
-                     [](unsigned char c) { return c > 0x20 && c < 0x7F; });
+         std::ranges::all_of(text, [](unsigned char c) { return c > 0x20 && c < 0x7F; });
 }
 
 // A state that is not known here is one of a job that Slurm still holds.

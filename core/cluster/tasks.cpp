@@ -28,8 +28,7 @@ bool isUsable(const Task& task) {
 }  // namespace
 
 Task* Tasks::of(const std::string& batch) {
-  const auto found = std::find_if(tasks.begin(), tasks.end(),
-                                  [&](const Task& task) { return task.batch == batch; });
+  const auto found = std::ranges::find(tasks, batch, &Task::batch);
   return found == tasks.end() ? nullptr : &*found;
 }
 

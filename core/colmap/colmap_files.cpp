@@ -139,8 +139,7 @@ ColmapModel toColmap(const std::vector<rig::PosedImage>& images,
 Result<std::vector<rig::PosedImage>> fromColmap(const ColmapModel& model) {
   std::vector<rig::PosedImage> images;
   for (const ColmapImage& one : model.images) {
-    const auto camera = std::find_if(model.cameras.begin(), model.cameras.end(),
-                                     [&](const ColmapCamera& c) { return c.id == one.camera; });
+    const auto camera = std::ranges::find(model.cameras, one.camera, &ColmapCamera::id);
     if (camera == model.cameras.end())
       return Error::unusable(message("COLMAP's model has no camera for the image '%1'.", one.name));
     const Result<rig::Intrinsics> intrinsics = fromColmap(*camera);

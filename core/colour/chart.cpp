@@ -54,9 +54,8 @@ bool isColourful(const cv::Mat3b& picture) {
   for (const cv::Vec3f& pixel : hsv)
     if (pixel[1] > kLeastSaturation && pixel[2] > kLeastValue)
       ++counts[static_cast<std::size_t>((pixel[0] + 30) / 60) % 6];
-  const auto hues = std::count_if(counts.begin(), counts.end(), [&](int count) {
-    return count > kLeastShare * static_cast<double>(hsv.total());
-  });
+  const auto hues = std::ranges::count_if(
+      counts, [&](int count) { return count > kLeastShare * static_cast<double>(hsv.total()); });
   return hues >= kLeastHues;
 }
 
@@ -82,7 +81,7 @@ std::optional<Chart> measured(const cv::Mat3b& photograph, const Corners& corner
       medians.begin()[static_cast<std::ptrdiff_t>(i)][2 - channel] = level;
       chart.light[i][channel] = batch::linearLight()[level];
     }
-    const auto clipped = std::count_if(patch.begin(), patch.end(), [](const cv::Vec3b& bgr) {
+    const auto clipped = std::ranges::count_if(patch, [](const cv::Vec3b& bgr) {
       const uchar most = std::max({bgr[0], bgr[1], bgr[2]});
       return most == 255 || most == 0;
     });

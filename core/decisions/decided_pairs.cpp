@@ -31,8 +31,7 @@ Message waiting(const PairDecision& decision, const ScanRef& scan,
 }
 
 bool common(const std::vector<int>& a, const std::vector<int>& b) {
-  return std::any_of(a.begin(), a.end(),
-                     [&](int i) { return std::find(b.begin(), b.end(), i) != b.end(); });
+  return std::ranges::any_of(a, [&](int i) { return std::find(b.begin(), b.end(), i) != b.end(); });
 }
 
 // A decision about partners, and the scans of the table that it is about.
@@ -196,9 +195,9 @@ Result<PairTable> assigned(const CandidateTable& table, const Settled& settled,
       pair.decision.doubt = pairing::Doubt::Displaced;  // nothing is taken silently
   for (const Settled::Pair& pair : settled.pairs)
     decided->pairs.push_back(decidedPair(table, *free, pair));
-  std::stable_sort(
-      decided->pairs.begin(), decided->pairs.end(),
-      [](const SherdPair& a, const SherdPair& b) { return a.decision.front < b.decision.front; });
+  std::ranges::stable_sort(decided->pairs, [](const SherdPair& a, const SherdPair& b) {
+    return a.decision.front < b.decision.front;
+  });
   decided->candidates = free->candidates;
   decided->aside_front = settled.aside_front;
   decided->aside_back = settled.aside_back;

@@ -130,8 +130,8 @@ void takeAlong(PairDecision& decision, const PairDecision& replaced, const Candi
   if (decision.kind == DecisionKind::Pair || replaced.kind == DecisionKind::Pair) return;
   for (const ScanRef& scan : replaced.scans)
     if (resolved(scan, scan.side == batch::Side::Front ? now.fronts : now.backs) >= 0 &&
-        std::none_of(decision.scans.begin(), decision.scans.end(),
-                     [&](const ScanRef& other) { return other.side == scan.side; }))
+        std::ranges::none_of(decision.scans,
+                             [&](const ScanRef& other) { return other.side == scan.side; }))
       decision.scans.push_back(scan);
 }
 
@@ -262,8 +262,7 @@ bool equivalent(const Decisions& a, const Decisions& b) {
 }
 
 bool containedIn(const Decisions& list, const PairDecision& d) {
-  return std::any_of(list.begin(), list.end(),
-                     [&](const PairDecision& other) { return equivalent(other, d); });
+  return std::ranges::any_of(list, [&](const PairDecision& other) { return equivalent(other, d); });
 }
 
 Decisions changedSince(const Decisions& all, const Decisions& followed) {

@@ -61,8 +61,7 @@ Result<std::optional<texture::TexturedMesh>> texturedModelOf(const catalogue::Ca
   if (!files) return files.error();
   const std::string path =
       std::filesystem::path(sherd.model_path).replace_extension(".glb").generic_string();
-  const auto glb = std::find_if(files->begin(), files->end(),
-                                [&](const records::FileRecord& file) { return file.path == path; });
+  const auto glb = std::ranges::find(*files, path, &records::FileRecord::path);
   if (glb == files->end()) return Textured();
   Result<OpenFile> open = OpenFile::within(project, glb->path);
   if (!open) return open.error();

@@ -176,8 +176,8 @@ class Sizing {
   // On the mesh that will be exported; nothing where there are none.
   std::optional<texture::TexturedMesh> texturedOf(store::SherdRow row, const TriangleMesh* light,
                                                   const TriangleMesh& full) const {
-    const auto sherd = std::find_if(sherds_.begin(), sherds_.end(),
-                                    [&](const auto& record) { return record.row == row; });
+    const auto sherd =
+        std::ranges::find_if(sherds_, [&](const auto& record) { return record.row == row; });
     if (sherd == sherds_.end()) return std::nullopt;
     auto read = texturedModelOf(catalogue_, *sherd, plan_.project());
     if (!read || !*read || light == nullptr) return read ? std::move(*read) : std::nullopt;
@@ -198,8 +198,7 @@ class Sizing {
     for (const records::SherdRecord* sherd : drawn)
       order.emplace_back(1 + static_cast<double>(bytesOf(plan_.project() / sherd->model_path)),
                          sherd);
-    std::stable_sort(order.begin(), order.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(order, {}, [](const auto& one) { return one.first; });
     constexpr std::size_t kDrawn = 3;
     for (std::size_t k = 0; k < kDrawn; ++k) {
       const std::size_t from = order.size() * k / kDrawn, to = order.size() * (k + 1) / kDrawn;

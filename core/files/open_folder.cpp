@@ -234,8 +234,7 @@ Result<std::vector<OpenFolder::Entry>> OpenFolder::filesBelow(const ContainedPat
   std::vector<Entry> found;
   if (const int failed = listBelow(std::move(*folder), path.text() + "/", 1, found))
     return cannotOpen(failed, named(path));
-  std::sort(found.begin(), found.end(),
-            [](const Entry& a, const Entry& b) { return a.path < b.path; });
+  std::ranges::sort(found, {}, &Entry::path);
   return found;
 }
 

@@ -323,9 +323,8 @@ class SheetPainter {
 
   // By how many photographs a place, row and column of half the cells, is seen to be covered.
   int coveredAt(int row, int column) const {
-    return static_cast<int>(
-        std::count_if(covered_.begin(), covered_.end(),
-                      [&](const cv::Mat1b& covered) { return covered(2 * row, 2 * column) != 0; }));
+    return static_cast<int>(std::ranges::count_if(
+        covered_, [&](const cv::Mat1b& covered) { return covered(2 * row, 2 * column) != 0; }));
   }
 
   // What the photograph with most company sees at a place, where it is a shadow's; `covered` others

@@ -34,9 +34,8 @@ bool isComputed(records::BatchState state) {
 records::BatchState stateBefore(const catalogue::Catalogue& catalogue, store::BatchRow batch) {
   const std::vector<records::HistoryEntry> history =
       store::valueOrThrow(catalogue::History(catalogue).of("batch", batch.value));
-  const auto queued =
-      std::find_if(history.begin(), history.end(),
-                   [](const records::HistoryEntry& e) { return e.field == "state"; });
+  const auto queued = std::ranges::find_if(
+      history, [](const records::HistoryEntry& e) { return e.field == "state"; });
   return queued == history.end() ? records::BatchState::Queued
                                  : records::fromWord<records::BatchState>(queued->old_value);
 }

@@ -16,9 +16,8 @@ using Places = std::vector<Eigen::Vector2d>;
 constexpr double kCrumb = 0.1;  // of a piece's points
 
 bool isAmong(const Places& places, const Eigen::Vector2d& place_mm) {
-  return std::any_of(places.begin(), places.end(), [&](const Eigen::Vector2d& one) {
-    return (one - place_mm).norm() < kSamePiece_mm;
-  });
+  return std::ranges::any_of(
+      places, [&](const Eigen::Vector2d& one) { return (one - place_mm).norm() < kSamePiece_mm; });
 }
 
 // Above 0 on the left of the line.

@@ -34,8 +34,7 @@ int PlateSherds::scanAt(const Eigen::Vector2d& place_mm) const {
 const records::SherdRecord* PlateSherds::ofScan(int scan) const {
   if (scan < 0) return nullptr;
   const store::ScanRow front = fronts_[static_cast<std::size_t>(scan)].row;
-  const auto sherd = std::find_if(sherds_.begin(), sherds_.end(),
-                                  [&](const records::SherdRecord& s) { return s.front == front; });
+  const auto sherd = std::ranges::find(sherds_, front, &records::SherdRecord::front);
   return sherd == sherds_.end() ? nullptr : &*sherd;
 }
 
@@ -46,10 +45,8 @@ const records::SherdRecord* PlateSherds::at(const Eigen::Vector2d& place_mm) con
 const sherds::PhotographedAgain* PlateSherds::again(const Eigen::Vector2d& place_mm) const {
   const int scan = scanAt(place_mm);
   if (scan < 0) return nullptr;
-  const auto found =
-      std::find_if(again_.begin(), again_.end(), [&](const sherds::PhotographedAgain& one) {
-        return one.front == fronts_[static_cast<std::size_t>(scan)].row;
-      });
+  const auto found = std::ranges::find(again_, fronts_[static_cast<std::size_t>(scan)].row,
+                                       &sherds::PhotographedAgain::front);
   return found == again_.end() ? nullptr : &*found;
 }
 

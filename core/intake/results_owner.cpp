@@ -76,9 +76,8 @@ class Owners {
       const std::set<std::string>& now = there[side].empty() ? recorded[side] : there[side];
       compared.known[side] = !now.empty();
       compared.made_from[side] = made_from_[side].size();
-      compared.same[side] = static_cast<std::size_t>(
-          std::count_if(made_from_[side].begin(), made_from_[side].end(),
-                        [&](const std::string& hash) { return now.contains(hash); }));
+      compared.same[side] = static_cast<std::size_t>(std::ranges::count_if(
+          made_from_[side], [&](const std::string& hash) { return now.contains(hash); }));
     }
     return compared;
   }

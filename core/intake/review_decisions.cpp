@@ -35,7 +35,7 @@ std::vector<Row> rowsOf(const std::vector<Row>& all, const std::string& id) {
   for (const Row& row : all)
     if (row.verdict != Kind::Withdraw && row.decision == id) rows.push_back(row);
   std::erase_if(rows, [&](const Row& row) {
-    return std::any_of(all.begin(), all.end(), [&](const Row& other) {
+    return std::ranges::any_of(all, [&](const Row& other) {
       return other.verdict == Kind::Withdraw && other.replaces == row.row;
     });
   });
@@ -78,7 +78,7 @@ const records::ScanRecord* scanOf(const std::vector<records::ScanRecord>& scans,
   }
   if (const int nearest = resolved(ref, places); nearest >= 0)
     return there[static_cast<std::size_t>(nearest)];
-  const auto named = std::find_if(scans.begin(), scans.end(), [&](const records::ScanRecord& s) {
+  const auto named = std::ranges::find_if(scans, [&](const records::ScanRecord& s) {
     return s.side == ref.side && s.name == ref.id && !(s.plate_x_mm && s.plate_y_mm);
   });
   return named == scans.end() ? nullptr : &*named;
@@ -196,10 +196,9 @@ class Following {
     for (auto d = standing_.rbegin(); d != standing_.rend(); ++d) {
       if (isOfPieces(*d)) continue;
       const std::vector<records::PairDecision> rows = rowsFor(batch_, *d, table, scans);
-      const bool free =
-          std::none_of(rows.begin(), rows.end(), [&](const records::PairDecision& row) {
-            return claimed.contains(row.front) || claimed.contains(row.back);
-          });
+      const bool free = std::ranges::none_of(rows, [&](const records::PairDecision& row) {
+        return claimed.contains(row.front) || claimed.contains(row.back);
+      });
       for (const records::PairDecision& row : rows)
         for (const store::ScanRow scan : {row.front, row.back})
           if (scan) claimed.insert(scan);
@@ -210,12 +209,12 @@ class Following {
 
   static bool isAmong(const std::vector<records::PairDecision>& rows,
                       const records::PairDecision& row) {
-    return std::any_of(rows.begin(), rows.end(), [&](const records::PairDecision& other) {
+    return std::ranges::any_of(rows, [&](const records::PairDecision& other) {
       return other.verdict == row.verdict && other.front == row.front && other.back == row.back;
     });
   }
   bool isWanted(const decisions::PairDecision& d, const records::PairDecision& row) const {
-    return std::any_of(wanted_.begin(), wanted_.end(), [&](const Wanted& wanted) {
+    return std::ranges::any_of(wanted_, [&](const Wanted& wanted) {
       return wanted.of->id == d.id && isAmong({wanted.row}, row);
     });
   }
@@ -243,9 +242,8 @@ class Following {
     for (const decisions::PairDecision& d : all_) {
       if (!isOfPieces(d)) continue;
       const std::vector<PieceDecision> rows = rowsOf(held, d.id);
-      const bool holds =
-          std::any_of(standing_.begin(), standing_.end(),
-                      [&](const decisions::PairDecision& s) { return s.id == d.id; });
+      const bool holds = std::ranges::any_of(
+          standing_, [&](const decisions::PairDecision& s) { return s.id == d.id; });
       if (holds && rows.empty()) count(enterPieces(catalogue_, batch_, d, actOf(d)));
       if (holds) continue;
       for (const PieceDecision& row : rows) {

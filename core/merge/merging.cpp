@@ -25,8 +25,8 @@ std::string naturalKey(const Table& table, const std::vector<Value>& values) {
 }
 
 bool allEmpty(const std::vector<Value>& values, const Unit& unit) {
-  return std::all_of(unit.columns.begin(), unit.columns.end(),
-                     [&](std::size_t i) { return values[i].value_or("").empty(); });
+  return std::ranges::all_of(unit.columns,
+                             [&](std::size_t i) { return values[i].value_or("").empty(); });
 }
 
 const Table* tableWith(const Content& content, const std::string& id) {
@@ -45,7 +45,7 @@ bool canBeSame(const Content& a, const std::string& mine, const Content& b,
   if (table.find(mine)->values[table.column(key)] == other.find(theirs)->values[other.column(key)])
     return true;
   const auto renamed = [&](const Content& content, const std::string& id) {
-    return std::any_of(content.events.begin(), content.events.end(), [&](const Event& event) {
+    return std::ranges::any_of(content.events, [&](const Event& event) {
       return event.table == table.name && event.row == id && event.field + "_key" == key;
     });
   };
@@ -53,15 +53,13 @@ bool canBeSame(const Content& a, const std::string& mine, const Content& b,
 }
 
 bool sameIn(const Unit& unit, const std::vector<Value>& a, const std::vector<Value>& b) {
-  return std::all_of(unit.columns.begin(), unit.columns.end(),
-                     [&](std::size_t i) { return a[i] == b[i]; });
+  return std::ranges::all_of(unit.columns, [&](std::size_t i) { return a[i] == b[i]; });
 }
 
 }  // namespace
 
 bool MergeReport::unsettled() const {
-  return std::any_of(conflicts.begin(), conflicts.end(),
-                     [](const Conflict& conflict) { return !conflict.settled; });
+  return std::ranges::any_of(conflicts, [](const Conflict& conflict) { return !conflict.settled; });
 }
 
 Merging::Merging(Projects projects, const Settled& settled, const records::Provenance& provenance)

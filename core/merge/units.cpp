@@ -62,8 +62,7 @@ std::vector<Unit> unitsOf(const Table& table) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const std::string name = unitNamed(table.name, table.columns[i]);
     if (name.empty()) continue;
-    auto unit = std::find_if(units.begin(), units.end(),
-                             [&](const Unit& known) { return known.name == name; });
+    auto unit = std::ranges::find(units, name, &Unit::name);
     if (unit == units.end()) unit = units.insert(units.end(), Unit{name, {}, {}});
     unit->columns.push_back(i);
     unit->fields.push_back(table.columns[i]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -171,8 +172,7 @@ std::vector<Alternative> alternativesOf(const Chances& chances, int front, int b
     const double p = column[static_cast<std::size_t>(f)];
     if (f != front && p > kWorthNaming) found.push_back({f, back, p});
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const Alternative& a, const Alternative& b) { return a.score > b.score; });
+  std::ranges::stable_sort(found, std::greater(), &Alternative::score);
   if (found.size() > static_cast<std::size_t>(max_count)) {
     found.resize(static_cast<std::size_t>(max_count));
   }
@@ -232,9 +232,9 @@ std::vector<Decision> leftOver(std::span<const Evidence> evidence, const Chances
   std::vector<const Evidence*> worth_asking;
   for (const Evidence& e : evidence)
     if (!e.check_failed && e.log_likelihood >= least) worth_asking.push_back(&e);
-  std::stable_sort(
-      worth_asking.begin(), worth_asking.end(),
-      [](const Evidence* a, const Evidence* b) { return a->log_likelihood > b->log_likelihood; });
+  std::ranges::stable_sort(worth_asking, [](const Evidence* a, const Evidence* b) {
+    return a->log_likelihood > b->log_likelihood;
+  });
   std::vector<Decision> proposed;
   for (const Evidence* e : worth_asking) proposed.push_back(decide(*e, chances, n_back, options));
   return proposed;
@@ -293,8 +293,7 @@ Result<Assignment> nearestPairs(std::span<const Evidence> evidence, int n_front,
   for (int b = 0; b < n_back; ++b) {
     if (fronts_of[static_cast<std::size_t>(b)] == 0) assignment.unpaired_back.push_back(b);
   }
-  std::sort(assignment.pairs.begin(), assignment.pairs.end(),
-            [](const Decision& a, const Decision& b) { return a.front < b.front; });
+  std::ranges::sort(assignment.pairs, {}, &Decision::front);
   return assignment;
 }
 
@@ -359,8 +358,7 @@ Result<Assignment> assignPairs(std::span<const Evidence> evidence, int n_front, 
     lone_backs.erase(back);
     assignment.pairs.push_back(decision);
   }
-  std::sort(assignment.pairs.begin(), assignment.pairs.end(),
-            [](const Decision& a, const Decision& b) { return a.front < b.front; });
+  std::ranges::sort(assignment.pairs, {}, &Decision::front);
   return assignment;
 }
 

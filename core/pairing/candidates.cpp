@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -173,11 +174,10 @@ std::vector<PlanarFit> alignedFits(const Outline& front, const Outline& back,
   coarse.rounds = 6, coarse.samples = 80, coarse.last_reach_mm = 1.0;
   fine.rounds = 8, fine.first_reach_mm = 1.0;
   const auto sortedDistinct = [&](std::vector<PlanarFit> fits, double min_apart_mm) {
-    std::stable_sort(fits.begin(), fits.end(),
-                     [](const PlanarFit& a, const PlanarFit& b) { return a.rms_mm < b.rms_mm; });
+    std::ranges::stable_sort(fits, {}, &PlanarFit::rms_mm);
     std::vector<PlanarFit> kept;
     for (PlanarFit& fit : fits) {
-      const bool known = std::any_of(kept.begin(), kept.end(), [&](const PlanarFit& other) {
+      const bool known = std::ranges::any_of(kept, [&](const PlanarFit& other) {
         return apart(fit.pose, other.pose, *back.field) < min_apart_mm;
       });
       if (!known) kept.push_back(std::move(fit));
@@ -204,9 +204,7 @@ PairCandidate defaultCandidate(const Outline& front, const Outline& back,
   for (const PlanarFit& fit : alignedFits(front, back, options)) {
     candidate.starts.push_back(startPose(front, back, fit));
   }
-  std::stable_sort(
-      candidate.starts.begin(), candidate.starts.end(),
-      [](const StartPose& a, const StartPose& b) { return a.log_likelihood > b.log_likelihood; });
+  std::ranges::stable_sort(candidate.starts, std::greater(), &StartPose::log_likelihood);
   candidate.log_likelihood = candidate.starts.empty() ? -1e9 : candidate.starts[0].log_likelihood;
   return candidate;
 }

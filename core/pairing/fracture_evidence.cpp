@@ -45,11 +45,10 @@ std::vector<bool> certainOnes(std::span<const FractureFigures> candidates) {
   constexpr double kCertain = 10;  // logarithm; above any non-match's
   std::vector<bool> certain;
   for (const FractureFigures& own : candidates) {
-    const bool rivalled =
-        std::any_of(candidates.begin(), candidates.end(), [&](const FractureFigures& c) {
-          const bool other = (c.front == own.front) != (c.back == own.back);
-          return other && c.outline_log_likelihood > own.outline_log_likelihood - kCertain;
-        });
+    const bool rivalled = std::ranges::any_of(candidates, [&](const FractureFigures& c) {
+      const bool other = (c.front == own.front) != (c.back == own.back);
+      return other && c.outline_log_likelihood > own.outline_log_likelihood - kCertain;
+    });
     certain.push_back(own.outline_log_likelihood > kCertain && !rivalled);
   }
   return certain;

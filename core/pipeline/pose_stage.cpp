@@ -281,10 +281,9 @@ std::vector<rig::PosedImage> Poses::of(batch::Side side) const {
 }
 
 const batch::Shot* findShot(const batch::Batch& batch, const rig::PosedImage& image) {
-  const auto found =
-      std::find_if(batch.shots.begin(), batch.shots.end(), [&](const batch::Shot& shot) {
-        return shot.side == image.side && shot.camera == image.camera && shot.stop == image.stop;
-      });
+  const auto found = std::ranges::find_if(batch.shots, [&](const batch::Shot& shot) {
+    return shot.side == image.side && shot.camera == image.camera && shot.stop == image.stop;
+  });
   return found == batch.shots.end() ? nullptr : &*found;
 }
 

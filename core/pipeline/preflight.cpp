@@ -24,9 +24,8 @@ constexpr double kPixelsPerMegapixel = 1e6, kMegabytesAGigabyte = 1024;
 constexpr double kLeastOfStereo_mb = 500;
 
 int countOf(const batch::Batch& batch, batch::Side side) {
-  return static_cast<int>(
-      std::count_if(batch.shots.begin(), batch.shots.end(),
-                    [&](const batch::Shot& shot) { return shot.side == side; }));
+  return static_cast<int>(std::ranges::count_if(
+      batch.shots, [&](const batch::Shot& shot) { return shot.side == side; }));
 }
 
 int photographsOfASide(const batch::Batch& batch) {

@@ -41,15 +41,14 @@ Result<void> ProcessOptions::check() const {
 }
 
 int ProcessSummary::ambiguous() const {
-  return static_cast<int>(std::count_if(sherds.begin(), sherds.end(),
-                                        [](const SherdSummary& s) { return s.ambiguous; }));
+  return static_cast<int>(
+      std::ranges::count_if(sherds, [](const SherdSummary& s) { return s.ambiguous; }));
 }
 
 bool ProcessSummary::whole() const {
   return !sherds.empty() && unpaired_front.empty() && unpaired_back.empty() && reshoot.empty() &&
          moved.empty() && left_out.empty() &&
-         std::all_of(sherds.begin(), sherds.end(),
-                     [](const SherdSummary& s) { return s.has_model; });
+         std::ranges::all_of(sherds, [](const SherdSummary& s) { return s.has_model; });
 }
 
 }  // namespace ostraka::pipeline

@@ -61,9 +61,7 @@ std::vector<cv::Mat> emptyPlates(const batch::Batch& batch,
                                  const std::vector<rig::PosedImage>& images) {
   std::vector<cv::Mat> empties;
   for (const batch::CalibrationShot& shot : batch.empty_plates) {
-    const auto same = std::find_if(images.begin(), images.end(), [&](const rig::PosedImage& image) {
-      return image.camera == shot.camera;
-    });
+    const auto same = std::ranges::find(images, shot.camera, &rig::PosedImage::camera);
     if (same == images.end()) continue;
     const Result<cv::Mat> photograph = batch::readPhotograph(shot.file);
     if (!photograph) continue;
@@ -224,7 +222,7 @@ namespace {
 
 // Whether one of the values is this file, or a path that ends in it.
 bool names(const Message& message, const std::string& file) {
-  return std::any_of(message.values().begin(), message.values().end(), [&](const MessageValue& v) {
+  return std::ranges::any_of(message.values(), [&](const MessageValue& v) {
     return v.kind == MessageValue::Kind::Message ? names(*v.message, file)
                                                  : v.text.find(file) != std::string::npos;
   });
@@ -232,8 +230,8 @@ bool names(const Message& message, const std::string& file) {
 
 // Another program works in a folder beside the stage's, which stays for its log when it fails.
 Result<PointCloud> denseCloud(const Run& run, batch::Side side, const fs::path& folder,
-                              std::vector<stereo::View> views,
-                              const stereo::DenseOptions& options, stages::StageNotes& notes) {
+                              std::vector<stereo::View> views, const stereo::DenseOptions& options,
+                              stages::StageNotes& notes) {
   const auto read = [&](std::size_t i) -> Result<cv::Mat> {
     const rig::Intrinsics& camera = views[i].camera.intrinsics;
     Result<cv::Mat> photograph = batch::readPhotograph(views[i].camera.file);
@@ -294,8 +292,8 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
         continue;
       }
       const std::vector<Message>& told = masks.record.notes.warnings;
-      if (std::any_of(told.begin(), told.end(),
-                      [&](const Message& warning) { return names(warning, images[i].file); }))
+      if (std::ranges::any_of(
+              told, [&](const Message& warning) { return names(warning, images[i].file); }))
         continue;
       notes.warnings.push_back(
           inOne(message("%1: The mask marks no sherd in this photograph; it is left out.",

@@ -91,10 +91,9 @@ void addTurns(PairView& view) {
   Line front = view.front_outline, back = view.back_outline;
   for (Line* line : {&front, &back})
     if (pairing::signedArea(*line) < 0) std::reverse(line->begin(), line->end());
-  const auto nearest =
-      std::min_element(back.begin(), back.end(), [&](const auto& a, const auto& b) {
-        return (a - front[0]).squaredNorm() < (b - front[0]).squaredNorm();
-      });
+  const auto nearest = std::ranges::min_element(back, [&](const auto& a, const auto& b) {
+    return (a - front[0]).squaredNorm() < (b - front[0]).squaredNorm();
+  });
   std::rotate(back.begin(), nearest, back.end());
   const auto a = pairing::turningAngles(front, kTurnSamples);
   const auto b = pairing::turningAngles(back, kTurnSamples);

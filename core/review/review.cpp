@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "base/message.h"
 #include "decisions/mask_strokes.h"
@@ -144,16 +145,15 @@ ReviewCandidate candidateOf(const decisions::RegisteredCandidate& c) {
 }
 
 int Review::waiting() const {
-  const auto wanting = std::count_if(cards.begin(), cards.end(), [](const ReviewCard& card) {
+  const auto wanting = std::ranges::count_if(cards, [](const ReviewCard& card) {
     return card.state == CardState::Ask || card.state == CardState::Alone;
   });
   return static_cast<int>(wanting) + static_cast<int>(lone_backs.size());
 }
 
 int Review::toReshoot() const {
-  const auto fronts = std::count_if(cards.begin(), cards.end(), [](const ReviewCard& card) {
-    return card.state == CardState::Reshoot;
-  });
+  const auto fronts = std::ranges::count_if(
+      cards, [](const ReviewCard& card) { return card.state == CardState::Reshoot; });
   return static_cast<int>(
       std::max<std::ptrdiff_t>(fronts, static_cast<std::ptrdiff_t>(reshoot_backs.size())));
 }
@@ -196,9 +196,7 @@ Result<Review> reviewOf(const decisions::CandidateTable& table,
       card.candidates.push_back(candidateOf(table.candidates[i]));
       card.candidates.back().score = chances[i];
     }
-    std::stable_sort(
-        card.candidates.begin(), card.candidates.end(),
-        [](const ReviewCandidate& a, const ReviewCandidate& b) { return a.score > b.score; });
+    std::ranges::stable_sort(card.candidates, std::greater(), &ReviewCandidate::score);
     card.state = CardState::Alone;
     for (const decisions::SherdPair& pair : pairs->pairs)
       if (pair.decision.front == card.front) pairUp(card, pair, table);
@@ -210,12 +208,11 @@ Result<Review> reviewOf(const decisions::CandidateTable& table,
       nameDecision(card, table, standing, decisions::DecisionKind::Reshoot);
     review.cards.push_back(std::move(card));
   }
-  std::stable_sort(review.cards.begin(), review.cards.end(),
-                   [](const ReviewCard& a, const ReviewCard& b) {
-                     const int x = rankOf(a), y = rankOf(b);
-                     if (x != y) return x < y;
-                     return x == 1 && a.margin < b.margin;
-                   });
+  std::ranges::stable_sort(review.cards, [](const ReviewCard& a, const ReviewCard& b) {
+    const int x = rankOf(a), y = rankOf(b);
+    if (x != y) return x < y;
+    return x == 1 && a.margin < b.margin;
+  });
   return review;
 }
 
@@ -223,7 +220,7 @@ bool onlyConfirm(const decisions::CandidateTable& table, const decisions::Decisi
   if (decisions.empty()) return true;
   const Result<Review> free = reviewOf(table, {});
   if (!free) return false;
-  return std::all_of(decisions.begin(), decisions.end(), [&](const decisions::PairDecision& d) {
+  return std::ranges::all_of(decisions, [&](const decisions::PairDecision& d) {
     if (d.kind != decisions::DecisionKind::Pair || d.settle == decisions::Settle::AsGiven)
       return false;
     const ReviewCard* card = free->ofFront(decisions::resolved(d.scans.at(0), table.fronts));

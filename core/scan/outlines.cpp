@@ -62,9 +62,8 @@ std::vector<std::size_t> thingsOf(std::span<const PointCloud> pieces,
       of_piece.push_back(outlineOf(piece, images[v], outlines));
   }
   std::vector<std::size_t> by_size = thing;
-  std::stable_sort(by_size.begin(), by_size.end(), [&](std::size_t a, std::size_t b) {
-    return pieces[a].size() > pieces[b].size();
-  });
+  std::ranges::stable_sort(
+      by_size, [&](std::size_t a, std::size_t b) { return pieces[a].size() > pieces[b].size(); });
   for (std::size_t i = 0; i < by_size.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const std::size_t larger = by_size[j];

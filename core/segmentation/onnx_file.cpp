@@ -217,8 +217,7 @@ class OnnxCheck {
         return graph(field.bytes, depth + 1) && (field.number != 6 || ++graphs == 1);
       return true;
     });
-    const auto* setting = std::find_if(std::begin(kSettings), std::end(kSettings),
-                                       [&](const Setting& s) { return s.name == name; });
+    const auto* setting = std::ranges::find(kSettings, name, &Setting::name);
     if (!whole || setting == std::end(kSettings)) return whole;
     return eachField(bytes, [&](const Field& field) {
       return !(field.is(3, Wire::Varint) || field.number == 8) ||
@@ -274,8 +273,7 @@ class OnnxCheck {
           return true;
       }
     });
-    const auto* kind = std::find_if(std::begin(kTensorTypes), std::end(kTensorTypes),
-                                    [&](const TensorType& t) { return t.type == type; });
+    const auto* kind = std::ranges::find(kTensorTypes, type, &TensorType::type);
     if (!whole || kind == std::end(kTensorTypes)) return std::nullopt;
     std::uint64_t all = 0;
     for (const std::uint64_t count : typed) all += count;

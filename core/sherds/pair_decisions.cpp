@@ -98,10 +98,9 @@ std::vector<records::PairDecision> counting(const std::vector<records::PairDecis
       if (lone.back) claimed.insert(lone.back);
       counts.push_back(lone);
     }
-  std::sort(counts.begin(), counts.end(),
-            [](const records::PairDecision& a, const records::PairDecision& b) {
-              return std::pair(a.front, a.back) < std::pair(b.front, b.back);
-            });
+  std::ranges::sort(counts, [](const records::PairDecision& a, const records::PairDecision& b) {
+    return std::pair(a.front, a.back) < std::pair(b.front, b.back);
+  });
   return counts;
 }
 

@@ -293,10 +293,9 @@ Result<std::vector<std::string>> giveTypedNumbers(const catalogue::Catalogue& ca
     const auto sherds = store::valueOrThrow(
         Sherds(catalogue).of(store::valueOrThrow(Sherds(catalogue).rows(batch))));
     for (std::size_t i = 0; i < typed.size(); ++i) {
-      const auto sherd =
-          std::find_if(sherds.begin(), sherds.end(), [&](const records::SherdRecord& s) {
-            return place_of[i] >= 0 && s.front == fronts[static_cast<std::size_t>(place_of[i])];
-          });
+      const auto sherd = std::ranges::find_if(sherds, [&](const records::SherdRecord& s) {
+        return place_of[i] >= 0 && s.front == fronts[static_cast<std::size_t>(place_of[i])];
+      });
       if (sherd != sherds.end() && sherd->number.empty() &&
           sherd->state == records::SherdState::Draft) {
         const store::SherdRow holder = takenBy(catalogue.database(), typed[i].number).sherd;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace ostraka::stereo {
 
@@ -36,14 +37,12 @@ std::vector<std::vector<Link>> chooseSources(std::span<const Frame* const> frame
       (angle <= options.max_source_angle_rad ? candidates : distant)
           .push_back({std::exp(-0.5 * off * off), j, other});
     }
-    std::sort(distant.begin(), distant.end(),
-              [](const auto& a, const auto& b) { return a.score > b.score; });
+    std::ranges::sort(distant, std::greater(), [](const auto& one) { return one.score; });
     for (std::size_t k = 0; candidates.size() < few && k < distant.size(); ++k)
       candidates.push_back(distant[k]);
     while (!candidates.empty() && static_cast<int>(all[i].size()) < options.max_sources) {
       const auto best =
-          std::max_element(candidates.begin(), candidates.end(),
-                           [](const auto& a, const auto& b) { return a.score < b.score; });
+          std::ranges::max_element(candidates, {}, [](const auto& one) { return one.score; });
       all[i].push_back(
           linkBetween(*frames[i], *frames[best->frame], static_cast<int>(best->frame)));
       const Eigen::Vector3f taken = best->direction;

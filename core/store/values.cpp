@@ -160,7 +160,7 @@ std::string withoutGroups(const std::string& text) {
   std::string out;
   std::size_t i = 0;
   for (; i < text.size() && text[i] != '.' && text[i] != ','; ++i) {
-    const auto mark = std::find_if(std::begin(kMarks), std::end(kMarks), [&](std::string_view m) {
+    const auto mark = std::ranges::find_if(kMarks, [&](std::string_view m) {
       return std::string_view(text).substr(i).starts_with(m);
     });
     if (mark != std::end(kMarks) && !out.empty() && isDigit(out.back())) {
@@ -296,9 +296,8 @@ Result<std::string> checkedNumber(std::string_view number) {
 namespace {
 
 std::size_t lettersOf(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 }  // namespace

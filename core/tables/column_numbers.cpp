@@ -60,8 +60,7 @@ constexpr Usual kUsual[] = {{"length_mm", 3, 600, 8},    {"width_mm", 2, 600, 8}
 
 const Usual* usualOf(const std::string& field) {
   const auto* const found =
-      std::find_if(std::begin(kUsual), std::end(kUsual),
-                   [&](const Usual& one) { return field.starts_with(one.field); });
+      std::ranges::find_if(kUsual, [&](const Usual& one) { return field.starts_with(one.field); });
   return found == std::end(kUsual) ? nullptr : found;
 }
 

@@ -174,7 +174,7 @@ class Importing {
       const SherdField* field = sherds::sherdField(name);
       return field && field->kind == FieldKind::Place;
     };
-    const bool known = std::any_of(faults_.begin(), faults_.end(), [&](const Refusal& one) {
+    const bool known = std::ranges::any_of(faults_, [&](const Refusal& one) {
       return one.column == column || (isPlace(one.column) && isPlace(column));
     });
     if (!known) faults_.push_back({0, column, value, std::move(reason)});
@@ -278,8 +278,7 @@ class Importing {
       if (by_program && !fresh) {  // a table of before the latest computation
         const std::vector<double> computed =
             valueOrThrow(sherds::Measurements(catalogue_).everComputed(sherd, kindOf(name)));
-        if (std::any_of(computed.begin(), computed.end(),
-                        [&](double one) { return showsInTable(value, one); }))
+        if (std::ranges::any_of(computed, [&](double one) { return showsInTable(value, one); }))
           continue;
       }
       const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;

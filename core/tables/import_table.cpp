@@ -76,8 +76,7 @@ void addBroken(ImportReport& report, const std::vector<CsvRow>& broken, std::siz
                  row.values.size(), columns)});
   }
   std::sort(report.rows.begin(), report.rows.end());
-  std::stable_sort(report.refusals.begin(), report.refusals.end(),
-                   [](const Refusal& a, const Refusal& b) { return a.line < b.line; });
+  std::ranges::stable_sort(report.refusals, {}, &Refusal::line);
 }
 
 // The refused and the asked rows of the table, as it has them.
@@ -88,8 +87,7 @@ CsvTable leftOut(const CsvTable& table, std::vector<CsvRow> broken, const Import
   CsvTable rows{table.columns, std::move(broken), table.separator};
   std::copy_if(table.rows.begin(), table.rows.end(), std::back_inserter(rows.rows),
                [&](const CsvRow& row) { return lines.contains(row.line); });
-  std::sort(rows.rows.begin(), rows.rows.end(),
-            [](const CsvRow& a, const CsvRow& b) { return a.line < b.line; });
+  std::ranges::sort(rows.rows, {}, &CsvRow::line);
   return rows;
 }
 
@@ -144,8 +142,8 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
   ImportOptions named = options;
   if (named.source.empty()) named.source = where;
   std::vector<CsvRow> broken = takeBroken(*table);
-  const bool guessed = std::any_of(mapping->columns.begin(), mapping->columns.end(),
-                                   [](const ColumnChoice& choice) { return choice.unit_guessed; });
+  const bool guessed = std::ranges::any_of(
+      mapping->columns, [](const ColumnChoice& choice) { return choice.unit_guessed; });
   const bool held = guessed && options.guessed_units == GuessedUnits::Hold;
   if (held) named.mode = ImportMode::Preview;
   const NumberRemarks unclear = unclearNumbers(*table, *mapping);

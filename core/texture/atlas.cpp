@@ -27,9 +27,8 @@ Atlas shelved(const std::vector<Chart>& charts, double texel_mm, int width) {
   atlas.places.resize(charts.size(), Eigen::Vector2i::Zero());
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return charts[a].size.y() > charts[b].size.y();
-  });
+  std::ranges::stable_sort(
+      order, [&](std::size_t a, std::size_t b) { return charts[a].size.y() > charts[b].size.y(); });
   int x = 0, y = 0, shelf = 0;
   for (const std::size_t i : order) {
     const Eigen::Vector2i size = texelsAcross(charts[i], texel_mm);

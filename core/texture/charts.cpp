@@ -93,7 +93,7 @@ std::vector<Part> partsOf(const Faces& faces, const Eigen::Vector3f& axis) {
         const bool may = part == Part::Fracture
                              ? std::abs(along) < kSurelyFace
                              : (part == Part::Front ? along : -along) > kLeastCosine;
-        const auto like = std::count_if(beside.begin(), beside.end(), [&](int other) {
+        const auto like = std::ranges::count_if(beside, [&](int other) {
           return other >= 0 && parts[static_cast<std::size_t>(other)] == part;
         });
         if (may && like >= 2) calmer[f] = part;
@@ -194,9 +194,8 @@ class Outline {
     std::vector<std::vector<cv::Point>> contours;
     cv::findContours(filled, contours, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
     if (contours.empty()) return;
-    const auto longest =
-        std::max_element(contours.begin(), contours.end(),
-                         [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    const auto longest = std::ranges::max_element(
+        contours, [](const auto& a, const auto& b) { return a.size() < b.size(); });
     const int n = static_cast<int>(longest->size()), window = std::max(1, n / 150);
     for (int i = 0; i < n; ++i) {
       Eigen::Vector2f sum = Eigen::Vector2f::Zero();
@@ -329,8 +328,8 @@ void foldOut(const TriangleMesh& mesh, const Faces& faces, const std::vector<int
     for (const int f : open) {
       const auto& t = mesh.triangles[static_cast<std::size_t>(f)];
       const auto& beside = faces.neighbours[static_cast<std::size_t>(f)];
-      const auto at = std::find_if(beside.begin(), beside.end(),
-                                   [&](int other) { return placed.contains(other); });
+      const auto at =
+          std::ranges::find_if(beside, [&](int other) { return placed.contains(other); });
       if (at == beside.end()) {
         still.push_back(f);
         continue;
@@ -384,8 +383,8 @@ std::vector<int> seenAlongTheirOwn(const TriangleMesh& mesh, const Faces& faces,
   const auto areaOf = [&](int f) { return faces.areas[static_cast<std::size_t>(f)]; };
   while (!rest.empty()) {
     for (const int f : rest) open[static_cast<std::size_t>(f)] = 1;
-    const int seed = *std::max_element(rest.begin(), rest.end(),
-                                       [&](int a, int b) { return areaOf(a) < areaOf(b); });
+    const int seed =
+        *std::ranges::max_element(rest, [&](int a, int b) { return areaOf(a) < areaOf(b); });
     const Eigen::Vector3f axis = faces.normals[static_cast<std::size_t>(seed)];
     std::vector<int> grown;
     std::queue<int> next({seed});

@@ -144,8 +144,7 @@ std::vector<Seam> seamsOf(const TriangleMesh& mesh, const std::vector<Chart>& ch
                           {atlas.onPage(charts[c], c, charts[c].corners[i][from]),
                            atlas.onPage(charts[c], c, charts[c].corners[i][to])}});
       }
-  std::stable_sort(halves.begin(), halves.end(),
-                   [](const Half& a, const Half& b) { return a.edge < b.edge; });
+  std::ranges::stable_sort(halves, {}, &Half::edge);
   const auto apart = [](const Seam::Line& a, const Seam::Line& b) {
     return std::max((a[0] - b[0]).norm(), (a[1] - b[1]).norm()) > kApart;
   };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -151,8 +152,7 @@ std::vector<Backup> copiesOf(const std::string& project, const std::vector<fs::p
     std::optional<Backup> copy = readBackup(file);
     if (copy && copy->project == project) copies.push_back(std::move(*copy));
   }
-  std::stable_sort(copies.begin(), copies.end(),
-                   [](const Backup& a, const Backup& b) { return a.history > b.history; });
+  std::ranges::stable_sort(copies, std::greater(), &Backup::history);
   return copies;
 }
 
@@ -169,8 +169,8 @@ Result<std::string> projectIn(const fs::path& folder, const std::vector<fs::path
       project.name = file.filename().string();
     }
   std::vector<std::pair<std::string, Found>> most(projects.begin(), projects.end());
-  std::stable_sort(most.begin(), most.end(),
-                   [](const auto& a, const auto& b) { return a.second.files > b.second.files; });
+  std::ranges::stable_sort(
+      most, [](const auto& a, const auto& b) { return a.second.files > b.second.files; });
   if (most.size() > 1 && most[0].second.files == most[1].second.files)
     return Error::unusable(
         message("The backups %1 and %2 are of different projects, and nothing tells which of them "

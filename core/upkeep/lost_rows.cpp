@@ -68,10 +68,9 @@ class MakingAnew {
   }
 
   void madeAnew(const std::string& table, std::int64_t row) {
-    const auto known =
-        std::find_if(report_.rows.begin(), report_.rows.end(), [&](const RepairedRow& one) {
-          return one.table == table && one.row == row && one.field.empty();
-        });
+    const auto known = std::ranges::find_if(report_.rows, [&](const RepairedRow& one) {
+      return one.table == table && one.row == row && one.field.empty();
+    });
     if (known != report_.rows.end())
       known->from = RepairedRow::From::History;
     else

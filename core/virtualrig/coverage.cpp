@@ -208,8 +208,7 @@ Result<std::vector<CameraMove>> promisingMoves(const std::vector<vessels::Virtua
     }
     if (best.raise_rad != 0) moves.push_back(best);
   }
-  std::stable_sort(moves.begin(), moves.end(),
-                   [](const CameraMove& a, const CameraMove& b) { return a.gain > b.gain; });
+  std::ranges::stable_sort(moves, std::greater(), &CameraMove::gain);
   if (closing.raise_rad != 0) {
     std::erase_if(moves, [&](const CameraMove& m) { return m.camera == closing.camera; });
     moves.insert(moves.begin(), closing);

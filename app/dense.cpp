@@ -134,9 +134,8 @@ Result<std::vector<stereo::View>> readViews(const DenseArguments& arguments, Ses
 // Where the background is not dark, the photographs themselves say nothing about the object: the
 // body that they agree on is taken.
 Result<void> maskCluttered(std::vector<stereo::View>& views, int threads, Session& session) {
-  const auto unmasked = std::count_if(views.begin(), views.end(), [](const stereo::View& view) {
-    return stereo::isEverything(view.mask);
-  });
+  const auto unmasked = std::ranges::count_if(
+      views, [](const stereo::View& view) { return stereo::isEverything(view.mask); });
   if (2 * static_cast<std::size_t>(unmasked) < views.size()) return {};
   session.progress.begin("masks", 0.05);
   session.progress.note(NoteLevel::Info,

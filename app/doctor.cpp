@@ -132,8 +132,7 @@ Finding devices(const std::string& subject, const fs::path& folder,
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const std::string name = at->path().filename().string();
-    if (std::none_of(beginnings.begin(), beginnings.end(),
-                     [&](const std::string& b) { return name.starts_with(b); }))
+    if (std::ranges::none_of(beginnings, [&](const std::string& b) { return name.starts_with(b); }))
       continue;
     ++there;
     if (!usable(at->path())) refused += " " + at->path().string();
@@ -176,9 +175,8 @@ std::vector<Finding> examine(const fs::path& folder) {
 
 int runDoctor(const fs::path& folder, Session& session) {
   const std::vector<Finding> findings = examine(folder);
-  const bool missing = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
-    return finding.state == State::Missing;
-  });
+  const bool missing = std::ranges::any_of(
+      findings, [](const Finding& finding) { return finding.state == State::Missing; });
   const auto name = [](State state) {
     return state == State::Good ? "good" : state == State::Slow ? "slow" : "missing";
   };

@@ -124,19 +124,15 @@ int runDraw(const DrawArguments& arguments, Session& session) {
 }  // namespace
 
 void addSurface(CLI::App& command, Surface& surface, Dpi& dpi) {
-  command
-      .add_option("--surface", surface,
-                  "Views in drawings: the relief shaded; with paint and slip by their "
-                  "brightness; or an orthophoto, the photographs in parallel projection")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Surface>{{"shaded", Surface::Relief},
-                                         {"paint", Surface::Painted},
-                                         {"orthophoto", Surface::Orthophoto}}))
-      ->default_str("shaded");
-  command.add_option("--dpi", dpi, "Resolution of these views on paper: 300 or 600")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Dpi>{{"300", Dpi::Usual}, {"600", Dpi::Fine}}))
-      ->default_str("300");
+  addChoice(command, "--surface", surface,
+            {{"shaded", Surface::Relief},
+             {"paint", Surface::Painted},
+             {"orthophoto", Surface::Orthophoto}},
+            "shaded",
+            "Views in drawings: the relief shaded; with paint and slip by their "
+            "brightness; or an orthophoto, the photographs in parallel projection");
+  addChoice(command, "--dpi", dpi, {{"300", Dpi::Usual}, {"600", Dpi::Fine}}, "300",
+            "Resolution of these views on paper: 300 or 600");
 }
 
 void addDraw(CLI::App& root, Command& chosen) {

@@ -28,6 +28,9 @@ namespace {
 // (0.3 megapixels, docs/experiments.md). In between nothing was seen.
 constexpr double kLeastCoveredShare = 0.3;
 constexpr int kLevels = 3;  // down to about 1 mm per pixel, where a wall is still a few pixels
+// Seconds per view of the levels behave as 8 : 3 : 1, those of the surface as 3.
+constexpr std::array<std::int64_t, kLevels> kEffort{8, 3, 1};
+constexpr std::int64_t kSurfaceEffort = 3, kAllEffort = 8 + 3 + 1 + kSurfaceEffort;
 
 Result<void> checkViews(std::span<const View> views) {
   if (views.size() < 3)
@@ -63,20 +66,23 @@ Result<cv::Mat> photographOf(std::span<const View> views, const ReadPhotograph& 
   return photograph;
 }
 
-/// work(view, its photograph), for each of these views.
+/// work(view, its photograph), for each of these views. A whole photograph takes up to a second to
+/// read: a stop is looked for before each.
 template <typename Work>
 Result<void> withPhotographs(std::span<const View> views, const ReadPhotograph& read,
                              const std::vector<std::size_t>& of, const DenseOptions& options,
-                             const Work& work) {
+                             const std::stop_token& stop, const Work& work) {
   std::vector<std::optional<Error>> errors(of.size());
   parallelFor(of.size(), options.readers > 0 ? options.readers : options.threads,
               [&](std::size_t i) {
+                if (stop.stop_requested()) return;
                 const Result<cv::Mat> photograph = photographOf(views, read, of[i]);
                 if (photograph)
                   work(i, *photograph);
                 else
                   errors[i] = photograph.error();
               });
+  if (stop.stop_requested()) return Error::cancelled();
   for (const std::optional<Error>& error : errors)
     if (error) return *error;
   return {};
@@ -112,12 +118,11 @@ Result<void> Matching::prepare(const ReadPhotograph& read) {
   for (std::size_t i = 0; i < views.size(); ++i)
     if (!tile.parts[i].empty()) of.push_back(i);
   pyramids.resize(of.size());
-  const Result<void> built =
-      withPhotographs(views, read, of, options, [&](std::size_t i, const cv::Mat& photograph) {
+  const Result<void> built = withPhotographs(
+      views, read, of, options, stop, [&](std::size_t i, const cv::Mat& photograph) {
         pyramids[i] = buildPyramid(views[of[i]], photograph, tile.parts[of[i]], kLevels);
       });
   if (!built) return built;
-  if (stop.stop_requested()) return Error::cancelled();
   const std::vector<const Frame*> coarse = framesAt(kLevels - 1);
   ranges.resize(of.size());
   parallelFor(of.size(), options.threads,
@@ -171,13 +176,8 @@ void Matching::matchView(std::size_t i, int level) {
 }
 
 Result<void> Matching::match(int level) {
-  // Seconds per view of the levels behave as 8 : 3 : 1.
-  constexpr std::array<std::int64_t, kLevels> effort{8, 3, 1};
-  std::int64_t before = 0, total = 0;
-  for (int l = 0; l < kLevels; ++l) {
-    total += effort[static_cast<std::size_t>(l)];
-    if (l > level) before += effort[static_cast<std::size_t>(l)];
-  }
+  std::int64_t before = 0;
+  for (int l = level + 1; l < kLevels; ++l) before += kEffort[static_cast<std::size_t>(l)];
   const auto count = static_cast<std::int64_t>(of.size());
   const std::size_t batch = 2 * static_cast<std::size_t>(std::max(
                                     1, options.threads > 0 ? options.threads : availableThreads()));
@@ -187,19 +187,23 @@ Result<void> Matching::match(int level) {
     });
     if (stop.stop_requested()) return Error::cancelled();
     const auto done = static_cast<std::int64_t>(std::min(first + batch, of.size()));
-    progress.report(before * count + effort[static_cast<std::size_t>(level)] * done, total * count);
+    progress.report(before * count + kEffort[static_cast<std::size_t>(level)] * done,
+                    kAllEffort * count);
   }
   return {};
 }
 
 /// The points that the tile owns; `view` is the place among all views.
 std::vector<SurfacePoint> Matching::surface(Agreement& agreement) const {
+  std::int64_t left = kSurfaceEffort;
+  const auto step = [&] { progress.report(kAllEffort - --left, kAllEffort); };
   const std::vector<const Frame*> frames = framesAt(0);
   FusionOptions fusion;
   fusion.threads = options.threads;
   fusion.min_agreeing_views = options.min_agreeing_views;
   fusion.tile = &tile;
   std::vector<SurfacePoint> points = fusePlanes(frames, planes, fusion, agreement);
+  step();
   SlantOptions slant;
   slant.threads = options.threads;
   points = withoutSlant(std::move(points), slant);
@@ -207,9 +211,11 @@ std::vector<SurfacePoint> Matching::surface(Agreement& agreement) const {
   smoothing.threads = options.threads;
   points = insideMasks(frames, points, smoothing);
   points = smoothed(points, smoothing);
+  step();
   SameLightOptions same_light;
   same_light.threads = options.threads;
   points = settledInSameLight(frames, planes, std::move(points), same_light);
+  step();
   std::erase_if(points, [&](const SurfacePoint& point) { return !tile.owns(point.position); });
   for (SurfacePoint& point : points)
     point.view = static_cast<int>(of[static_cast<std::size_t>(point.view)]);
@@ -217,7 +223,8 @@ std::vector<SurfacePoint> Matching::surface(Agreement& agreement) const {
 }
 
 Result<PointCloud> coloured(std::span<const View> views, const ReadPhotograph& read,
-                            const std::vector<SurfacePoint>& points, const DenseOptions& options) {
+                            const std::vector<SurfacePoint>& points, const DenseOptions& options,
+                            const std::stop_token& stop) {
   PointCloud cloud;
   std::vector<std::vector<std::size_t>> seen(views.size());  // the points of each view
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -230,8 +237,8 @@ Result<PointCloud> coloured(std::span<const View> views, const ReadPhotograph& r
   std::vector<std::size_t> of;
   for (std::size_t view = 0; view < views.size(); ++view)
     if (!seen[view].empty()) of.push_back(view);
-  const Result<void> done =
-      withPhotographs(views, read, of, options, [&](std::size_t k, const cv::Mat& photograph) {
+  const Result<void> done = withPhotographs(
+      views, read, of, options, stop, [&](std::size_t k, const cv::Mat& photograph) {
         for (const std::size_t i : seen[of[k]]) {
           const Eigen::Vector2d pixel =
               views[of[k]].camera.project(points[i].position.cast<double>());
@@ -323,7 +330,7 @@ Result<Reconstruction> reconstruct(std::span<const View> views, const ReadPhotog
     return Error{ErrorCode::NotEnough,
                  message("No two views agree on any surface point; check cameras and masks."),
                  {}};
-  Result<PointCloud> cloud = coloured(views, read, points, options);
+  Result<PointCloud> cloud = coloured(views, read, points, options, stop);
   if (!cloud) return cloud.error();
   return Reconstruction{std::move(*cloud), agreement};
 }

@@ -134,6 +134,22 @@ TEST(Stereo, StopsOnRequest) {
   EXPECT_EQ(cloud.error().code, ErrorCode::Cancelled);
 }
 
+TEST(Stereo, ReadsNoMorePhotographsOnceAStopIsAskedFor) {
+  const std::vector<View> views = ballViews({}, 4);
+  std::stop_source source;
+  int reads = 0;
+  const auto read = [&](std::size_t view) -> Result<cv::Mat> {
+    ++reads;
+    source.request_stop();
+    return views[view].photograph;
+  };
+  QuietProgress quiet;
+  const auto cloud = reconstruct(views, read, {}, quiet, source.get_token());
+  ASSERT_FALSE(cloud.has_value());
+  EXPECT_EQ(cloud.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(reads, 1);
+}
+
 TEST(DenseOptions, NameTheFieldThatIsWrong) {
   DenseOptions options;
   options.max_sources = 17;

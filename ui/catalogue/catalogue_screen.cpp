@@ -14,6 +14,7 @@
 #include <QTableView>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 #include "catalogue/batches.h"
 #include "records/sherd.h"
@@ -182,7 +183,7 @@ QWidget* CatalogueScreen::buildRight() {
   bulk_ = new BulkEdit(this);
   model_pane_ = new ModelPane(this);
   drawing_ = new DrawingPage(this);
-  QSplitter* one = filled(new QSplitter(Qt::Vertical, this), {model_pane_, {details_, 1}});
+  QSplitter* one = filled(new QSplitter(Qt::Vertical, this), {{model_pane_, 1}, {details_, 2}});
   one->setChildrenCollapsible(false);
   one_ = one;
   edit_ = new QStackedWidget(this);
@@ -199,10 +200,8 @@ QWidget* CatalogueScreen::buildRight() {
   show_model_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   show_model_->setCheckable(true);
   show_model_->setAutoRaise(true);
-  show_model_->hide();
-  connect(show_model_, &QToolButton::toggled, this, [this] {
-    if (!show_model_->isHidden()) setCompact(true);
-  });
+  show_model_->setChecked(true);
+  connect(show_model_, &QToolButton::toggled, this, &CatalogueScreen::followModel);
   right_->setCornerWidget(show_model_);
   connect(drawing_, &DrawingPage::said, this, &Screen::said);
   connect(drawing_, &DrawingPage::measuresWanted, this,
@@ -241,7 +240,7 @@ void CatalogueScreen::addActions() {
 // F2, Enter and a double click: what is chosen can be typed into at once.
 void CatalogueScreen::openDetails() {
   right_->setCurrentWidget(edit_);
-  show_model_->setChecked(false);
+  if (compact_) show_model_->setChecked(false);
   if (edit_->currentWidget() == many_)
     bulk_->findChild<QLineEdit*>("bulkValue")->setFocus(Qt::ShortcutFocusReason);
   else
@@ -266,10 +265,14 @@ QAbstractButton* CatalogueScreen::primary() const {
 
 // Details and model one at a time, where both would show a line each.
 void CatalogueScreen::setCompact(bool compact) {
-  show_model_->setVisible(compact);
-  if (!compact) show_model_->setChecked(false);
-  model_pane_->setVisible(!compact || show_model_->isChecked());
-  details_->setVisible(!compact || !show_model_->isChecked());
+  if (compact != std::exchange(compact_, compact)) show_model_->setChecked(!compact);
+  followModel();
+}
+
+// Without the model the details have its height.
+void CatalogueScreen::followModel() {
+  model_pane_->setVisible(show_model_->isChecked());
+  details_->setVisible(!compact_ || !show_model_->isChecked());
 }
 
 void CatalogueScreen::openProject(ProjectSession& session) {

@@ -59,6 +59,7 @@ class CatalogueScreen final : public Screen {
   void choose(const std::vector<store::SherdRow>& sherds, store::SherdRow current);
   void showCount();
   void showModelOf(store::SherdRow sherd);
+  void followModel();
   QWidget* buildFilterLine();
   QWidget* buildWho();
   QWidget* buildLeft();
@@ -91,7 +92,8 @@ class CatalogueScreen final : public Screen {
   NoBatchYet* none_ = nullptr;
   EmptyState* no_match_ = nullptr;
   QPushButton *clear_ = nullptr, *export_ = nullptr;
-  QToolButton* show_model_ = nullptr;  ///< in place of the details, in a compact window
+  QToolButton* show_model_ = nullptr;  ///< in a compact window in place of the details
+  bool compact_ = false;
   QTabWidget* right_ = nullptr;
   QStackedWidget* edit_ = nullptr;  ///< one sherd or many
   QWidget* one_ = nullptr;

@@ -182,8 +182,12 @@ class SmallWindowTest : public QObject {
     QTest::mouseClick(toggle, Qt::LeftButton);
     QTRY_VERIFY(!details->isVisible() && named<QWidget>(*window_, "model")->isVisible());
     window_->resize(1280, 720);
-    QTRY_VERIFY(details->isVisible() && named<QWidget>(*window_, "model")->isVisible());
-    QVERIFY(!toggle->isVisible());
+    const QWidget* model = named<QWidget>(*window_, "model");
+    QTRY_VERIFY(details->isVisible() && model->isVisible());
+    QTRY_VERIFY2(10 * details->height() > 17 * model->height(), "two thirds are the details'");
+    const int beside = details->height();
+    QTest::mouseClick(toggle, Qt::LeftButton);
+    QTRY_VERIFY(!model->isVisible() && details->height() > beside + beside / 3);
   }
 
   void headAndStatusBarStay() {

@@ -7,7 +7,9 @@
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "records/shown_decimals.h"
 #include "sherds/filter.h"
 #include "sherds/sherd_fields.h"
 #include "store/values.h"
@@ -121,6 +123,16 @@ QString withoutUnit(const QString& label) {
   return label.section(QLatin1Char(','), 0, 0).toCaseFolded();
 }
 
+// A hundredth of a millimetre is more than is known of what is computed.
+QString trimmed(const QLocale& locale, double value, const std::optional<double>& uncertainty) {
+  const double unit = std::pow(10.0, records::decimalsShown(value, uncertainty, 2));
+  return locale.toString(std::round(value * unit) / unit, 'f', QLocale::FloatingPointShortest);
+}
+
+QString inColumn(double value) {
+  return QLocale().toString(value, 'f', records::decimalsShown(value, {}, 1));
+}
+
 }  // namespace
 
 QString fieldLabel(const std::string& field) {
@@ -142,17 +154,14 @@ QString measureLabel(const std::string& kind) {
   return label == QString::fromStdString(field) ? fieldLabel(kind) : label;
 }
 
-// A hundredth of a millimetre is more than is known; what was typed shows no more digits than it
-// had.
 QString measureText(double value) {
-  const double unit = value >= 1000 ? 1 : 100;
-  return QLocale().toString(std::round(value * unit) / unit, 'f', QLocale::FloatingPointShortest);
+  return trimmed(QLocale(), value, {});
 }
 
 QString measuredText(const records::Measurement& measurement) {
-  const QString value = measureText(measurement.value);
-  return measurement.uncertainty ? tr("%1 ± %2").arg(value, measureText(*measurement.uncertainty))
-                                 : value;
+  const std::optional<double>& by = measurement.uncertainty;
+  const QString value = trimmed(QLocale(), measurement.value, by);
+  return by ? tr("%1 ± %2").arg(value, measureText(*by)) : value;
 }
 
 QString sherdName(const records::SherdRecord& sherd) {
@@ -250,10 +259,9 @@ QString fieldText(const records::SherdRecord& sherd, const std::string& field,
   // Not std::stod: it obeys the language that Qt set.
   const auto value = store::parsedNumber(text);
   if (!value) return {};
-  const QString number = QLocale().toString(*value, 'f', *value >= 1000 ? 0 : 1);
+  const QString number = inColumn(*value);
   if (const double* computed = computedBeside(sherd, field))
-    return tr("%1 (computed %2)")
-        .arg(number, QLocale().toString(*computed, 'f', *computed >= 1000 ? 0 : 1));
+    return tr("%1 (computed %2)").arg(number, inColumn(*computed));
   return isDoubtful(sherd, field) ? tr("%1 ?").arg(number) : number;
 }
 
@@ -262,7 +270,7 @@ QString typedText(const records::SherdField& field, const std::string& text) {
   if (field.kind != records::FieldKind::Number || !value) return QString::fromStdString(text);
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  return locale.toString(std::round(*value * 100) / 100, 'f', QLocale::FloatingPointShortest);
+  return trimmed(locale, *value, {});
 }
 
 QString inTwoWays(const std::string& field, const QString& typed) {

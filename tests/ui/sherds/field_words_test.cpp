@@ -3,6 +3,7 @@
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
 #include "tables/column_meanings.h"
+#include "ui/frame/term_words.h"
 
 #include <QCoreApplication>
 #include <QTranslator>
@@ -38,6 +39,8 @@ class FieldWordsTest : public QObject {
     measured.value = 53.929898797564384;
     QCOMPARE(measuredText(measured), QStringLiteral("53.93"));
     measured.uncertainty = 0.4;
+    QCOMPARE(measuredText(measured), QStringLiteral("53.9 ± 0.4"));
+    measured.value = 53.93;  // as it was typed
     QCOMPARE(measuredText(measured), QStringLiteral("53.93 ± 0.4"));
   }
 
@@ -72,8 +75,14 @@ class FieldWordsTest : public QObject {
     QLocale::setDefault(QLocale(QLocale::German));
     QCOMPARE(measureText(120), QString("120"));
     QCOMPARE(measureText(49.4712), QString("49,47"));
-    QCOMPARE(measureText(1205.4), QLocale().toString(1205));
+    QCOMPARE(measureText(1205.4321), QLocale().toString(1205));
     QLocale::setDefault(QLocale::c());
+    ostraka::records::SherdRecord sherd;
+    const TermWords words;
+    sherd.measures["thickness_mean"] = 6.25;
+    QCOMPARE(fieldText(sherd, "thickness_mean_mm", words), QString("6.25"));
+    sherd.replaced["thickness_mean"] = 6.1803398875;
+    QCOMPARE(fieldText(sherd, "thickness_mean_mm", words), QString("6.25 (computed 6.2)"));
   }
 
   void eachColumnOfASpreadsheetHasAWordOfItsOwn() {

@@ -4566,6 +4566,11 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Հետ (Esc)</translation>
     </message>
+    <message>
+        <source>Restart now</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերագործարկել</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SheetView</name>

@@ -4522,6 +4522,11 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Geri (Esc)</translation>
     </message>
+    <message>
+        <source>Restart now</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Şimdi yeniden başlat</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SheetView</name>

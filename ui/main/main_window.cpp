@@ -111,6 +111,7 @@ void MainWindow::connectParts() {
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
   connect(settings_page_, &SettingsPage::projectRenamed, this, &MainWindow::showTitle);
   connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);
+  connect(settings_page_, &SettingsPage::restartWanted, this, &MainWindow::restart);
   connect(all_, &QStackedWidget::currentChanged, this, [this] {
     if (all_->currentWidget() != work_) work_->rest();
   });
@@ -275,8 +276,19 @@ void MainWindow::applySettings(const WindowSettings& settings) {
   settings_.keep();
 }
 
+// What would be lost is told on the project's page, and who asks once more means it.
+void MainWindow::restart() {
+  restarted_ =
+      session() == nullptr ? QString() : QString::fromStdString(session()->folder().string());
+  leaveSidePage();
+  close();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (work_->saysWhatIsLost()) return event->ignore();
+  if (work_->saysWhatIsLost()) {
+    restarted_.reset();
+    return event->ignore();
+  }
   settings_.geometry = saveGeometry();
   settings_.keep();
   closeProject();

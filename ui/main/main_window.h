@@ -2,6 +2,7 @@
 #include <QMainWindow>
 #include <QString>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "ui/settings/window_settings.h"
@@ -46,6 +47,9 @@ class MainWindow final : public QMainWindow {
   void closeProject();
   /// Closes it, but says first what would be lost: who closes once more means it.
   void leaveProject();
+  /// The project to open in the next window, empty without one, where this one was closed for a
+  /// restart; else nothing.
+  const std::optional<QString>& restarted() const { return restarted_; }
   ProjectSession* session() const;
   BatchQueue* queue() const { return queue_; }
   CaptureWizard* wizard() const { return wizard_; }
@@ -58,6 +62,7 @@ class MainWindow final : public QMainWindow {
   void showManual();
   void showShortcuts();
   void leaveSidePage();
+  void restart();  ///< closes the window as a person does
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -89,6 +94,7 @@ class MainWindow final : public QMainWindow {
   SettingsPage* settings_page_ = nullptr;
   HelpPage* help_ = nullptr;
   ProjectCare* care_;
+  std::optional<QString> restarted_ = {};
 };
 
 }  // namespace ostraka::ui

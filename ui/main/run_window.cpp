@@ -23,6 +23,26 @@ bool hasDisplay() {
   return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
 }
 
+// The window's texts and numbers in one language, as long as this is there.
+class Texts {
+ public:
+  explicit Texts(const QLocale& locale) {
+    QLocale::setDefault(locale);
+    // English forms of one and many are under every language: a text that none has is still right.
+    if (plurals_.load(QStringLiteral(":/i18n/ostraka_en")))
+      QApplication::installTranslator(&plurals_);
+    if (qts_.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+                  QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+      QApplication::installTranslator(&qts_);
+    if (ours_.load(locale, QStringLiteral("ostraka"), QStringLiteral("_"),
+                   QStringLiteral(":/i18n")))
+      QApplication::installTranslator(&ours_);
+  }
+
+ private:
+  QTranslator plurals_, qts_, ours_;
+};
+
 }  // namespace
 
 int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>& project) {
@@ -40,26 +60,22 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
   QApplication::setApplicationVersion(QStringLiteral(OSTRAKA_VERSION));
   QApplication::setDesktopFileName(QStringLiteral("ostraka"));
   QApplication::setWindowIcon(icon(QStringLiteral("sherd")));
-  const WindowSettings settings = readSettings();
-  const QLocale locale =
-      settings.language.isEmpty() ? QLocale::system() : QLocale(settings.language);
-  QLocale::setDefault(locale);
-  // English forms of one and many are under every language: a text that none has is still right.
-  QTranslator plurals, ours, qts;
-  if (plurals.load(QStringLiteral(":/i18n/ostraka_en"))) QApplication::installTranslator(&plurals);
-  if (qts.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
-               QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
-    QApplication::installTranslator(&qts);
-  if (ours.load(locale, QStringLiteral("ostraka"), QStringLiteral("_"), QStringLiteral(":/i18n")))
-    QApplication::installTranslator(&ours);
   application.installEventFilter(new InputGuard(&application));
-  applyLook(application, settings.theme, settings.text_percent);
   ThreadedJobRunner runner;
-  MainWindow window(runner);
-  window.show();
-  if (project)
-    window.openProject(QString::fromStdString(std::filesystem::absolute(*project).string()));
-  return QApplication::exec();
+  std::optional<QString> folder =
+      project ? QString::fromStdString(std::filesystem::absolute(*project).string()) : QString();
+  int status = 0;
+  while (folder) {  // a restart opens the next window, in the language that was chosen
+    const WindowSettings settings = readSettings();
+    const Texts texts(localeOf(settings));
+    applyLook(application, settings.theme, settings.text_percent);
+    MainWindow window(runner);
+    window.show();
+    if (!folder->isEmpty()) window.openProject(*folder);
+    status = QApplication::exec();
+    folder = window.restarted();
+  }
+  return status;
 }
 
 std::string openGlOfThisComputer(std::optional<bool>& works) {

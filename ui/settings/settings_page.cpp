@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QRegularExpressionValidator>
 #include <QSlider>
@@ -27,6 +28,7 @@ SettingsPage::SettingsPage(QWidget* parent)
     : QWidget(parent),
       theme_(named<QComboBox>("settingsTheme", this)),
       language_(named<QComboBox>("settingsLanguage", this)),
+      restart_(named<QPushButton>("settingsRestart", tr("Restart now"), this)),
       text_(named<QSlider>("settingsText", Qt::Horizontal, this)),
       text_words_(new QLabel(this)),
       said_(wrappedLabel(this, QStringLiteral("settingsSaid"))),
@@ -60,6 +62,7 @@ SettingsPage::SettingsPage(QWidget* parent)
   connect(project_, &ProjectEdit::renamed, this, &SettingsPage::projectRenamed);
   for (QComboBox* box : {theme_, language_})
     connect(box, &QComboBox::currentIndexChanged, this, &SettingsPage::gather);
+  connect(restart_, &QPushButton::clicked, this, &SettingsPage::restartWanted);
   connect(text_, &QSlider::valueChanged, this, &SettingsPage::gather);
   connect(initials_, &QLineEdit::editingFinished, this, &SettingsPage::gather);
   connect(threads_, &QSpinBox::valueChanged, this, &SettingsPage::gather);
@@ -83,7 +86,8 @@ void SettingsPage::buildLayout() {
   if (size_label != nullptr) size_label->setBuddy(text_);
   text_->setAccessibleName(tr("Text size"));
   form->addRow(tr("&Language"), language_);
-  hint(tr("Takes effect after restart."));
+  auto* when = new QLabel(tr("Takes effect after restart."), this);
+  form->addRow(QString(), filled(new QHBoxLayout, {{when, 1}, restart_}));
   form->addRow(tr("&Processors for computing"), threads_);
   text_->setMinimumHeight(controlHeight(*this));
   alignForm(*form);
@@ -139,7 +143,13 @@ void SettingsPage::setSettings(const WindowSettings& settings) {
   text_words_->setText(tr("%1 %").arg(text_->value() * 10));
   initials_->setText(settings.initials);
   threads_->setValue(settings.threads);
+  followLanguage();
   filling_ = false;
+}
+
+// Only where the window speaks another language than the chosen one.
+void SettingsPage::followLanguage() {
+  restart_->setVisible(localeOf(settings_).language() != QLocale().language());
 }
 
 void SettingsPage::gather() {
@@ -150,6 +160,7 @@ void SettingsPage::gather() {
   settings_.initials = initials_->text().toUpper();
   settings_.threads = threads_->value();
   text_words_->setText(tr("%1 %").arg(settings_.text_percent));
+  followLanguage();
   emit changed(settings_);
 }
 

@@ -7,6 +7,7 @@ class QComboBox;
 class QLineEdit;
 class QSlider;
 class QLabel;
+class QPushButton;
 class QSpinBox;
 
 namespace ostraka::ui {
@@ -35,13 +36,16 @@ class SettingsPage final : public QWidget {
   void changed(const ostraka::ui::WindowSettings& settings);
   void projectRenamed();
   void closed();
+  void restartWanted();  ///< for the language that was chosen
 
  private:
   void buildLayout();
   void gather();
+  void followLanguage();
 
   WindowSettings settings_;
   QComboBox *theme_, *language_;
+  QPushButton* restart_;
   QSlider* text_;
   QLabel *text_words_, *said_;
   QLineEdit* initials_;

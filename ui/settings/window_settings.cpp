@@ -39,6 +39,10 @@ WindowSettings merged(const WindowSettings& known, const WindowSettings& mine,
 
 }  // namespace
 
+QLocale localeOf(const WindowSettings& settings) {
+  return settings.language.isEmpty() ? QLocale::system() : QLocale(settings.language);
+}
+
 void WindowSettings::remember(const QString& project, const QString& title) {
   recent.removeAll(project);
   recent.prepend(project);

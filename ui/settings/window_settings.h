@@ -1,5 +1,6 @@
 #pragma once
 #include <QByteArray>
+#include <QLocale>
 #include <QMap>
 #include <QString>
 #include <QStringList>
@@ -25,6 +26,9 @@ struct WindowSettings {
 };
 
 inline constexpr int kMostRecentProjects = 8;
+
+/// What numbers and texts of the window follow.
+QLocale localeOf(const WindowSettings& settings);
 
 /// The one place that reads and writes them; values out of range become the default.
 WindowSettings readSettings();

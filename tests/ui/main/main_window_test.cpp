@@ -1,5 +1,6 @@
 // What the frame around the screens does, without a rig and without computing.
 #include <QAction>
+#include <QComboBox>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -27,6 +28,7 @@
 #include "ui/main/window_place.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/settings/window_settings.h"
 #include "ui/widgets/message_panel.h"
 #include "upkeep/project.h"
 
@@ -147,6 +149,27 @@ class MainWindowTest : public QObject {
     window.leaveSidePage();
     window.showSettings();
     QVERIFY(!told->isVisible());
+  }
+
+  void anotherLanguageIsARestartAwayThatOpensTheProjectAgain() {
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German));
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    window.showSettings();
+    auto* language = named<QComboBox>(window, "settingsLanguage");
+    auto* restart = named<QPushButton>(window, "settingsRestart");
+    language->setCurrentIndex(language->findData("de"));
+    QVERIFY(!restart->isVisible());
+    language->setCurrentIndex(language->findData("el"));
+    QVERIFY(restart->isVisible());
+    QVERIFY(!window.restarted());
+    restart->click();
+    QTRY_VERIFY(!window.isVisible());
+    QCOMPARE(window.restarted().value_or(QString()), folder_);
+    QCOMPARE(readSettings().language, QStringLiteral("el"));
+    QLocale::setDefault(before);
   }
 
   void whatIsInTheCatalogueHasACopyOnceItIsOpen() {

@@ -9,7 +9,7 @@
 
 #include "files/files.h"
 #include "pipeline/process_batch.h"
-#include "virtualrig/simulate.h"
+#include "small_batch.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -71,44 +71,36 @@ class AtStage final : public Progress {
   std::function<void()> act_;
 };
 
-TEST_F(BatchInputsTest, ThatChangeDuringAStageLeaveNoRecordOfIt) {
-  virtualrig::SimulateOptions simulated;
-  simulated.seed = 7;
-  simulated.sherds = 2;
-  simulated.width = 800;
-  simulated.output = folder / "batch";
-  simulated.threads = 0;
-  QuietProgress quiet;
-  const Result<void> made = virtualrig::simulateBatch(simulated, quiet, {});
-  ASSERT_TRUE(made.has_value()) << made.error().sentence();
+TEST_F(ProcessBatch, LeavesNoRecordOfAStageDuringWhichPhotographsChanged) {
+  ProcessOptions options;
+  options.batch = folder_ / "swapped";
+  options.output = folder_ / "swapped_out";
+  fs::copy(folder_ / "batch", options.batch, fs::copy_options::recursive);
   std::vector<fs::path> fronts;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "batch/front"))
+  for (const fs::directory_entry& entry : fs::directory_iterator(options.batch / "front"))
     fronts.push_back(entry.path());
   std::sort(fronts.begin(), fronts.end());
   const std::string first = *readFile(fronts[0]), second = *readFile(fronts[1]);
-  ProcessOptions options;
-  options.batch = folder / "batch";
-  options.output = folder / "out";
 
   AtStage swapping("masks of the front side", [&] {
-    write(fronts[0], second);
-    write(fronts[1], first);
+    ASSERT_TRUE(writeFileAtomically(fronts[0], second).has_value());
+    ASSERT_TRUE(writeFileAtomically(fronts[1], first).has_value());
   });
   const Result<ProcessSummary> changed = processBatch(options, swapping, {});
   ASSERT_FALSE(changed.has_value());
   EXPECT_EQ(changed.error().code, ErrorCode::UnusableInput);
   EXPECT_EQ(changed.error().where, fronts[0].string());
-  EXPECT_FALSE(fs::exists(folder / "out/work/masks_front/stage.json"));
-  EXPECT_FALSE(fs::exists(folder / "out/report.json"));
+  EXPECT_FALSE(fs::exists(options.output / "work/masks_front/stage.json"));
+  EXPECT_FALSE(fs::exists(options.output / "report.json"));
 
-  write(fronts[0], first);
-  write(fronts[1], second);
+  ASSERT_TRUE(writeFileAtomically(fronts[0], first).has_value());
+  ASSERT_TRUE(writeFileAtomically(fronts[1], second).has_value());
   std::stop_source stop;
   AtStage stopping("stereo of the front side", [&] { stop.request_stop(); });
   ASSERT_FALSE(processBatch(options, stopping, stop.get_token()).has_value());
   EXPECT_THAT(stopping.notes, Contains(HasSubstr("rig: reused from an earlier run")));
   EXPECT_THAT(stopping.notes, Not(Contains(HasSubstr("masks_front: reused"))));
-  EXPECT_TRUE(fs::exists(folder / "out/work/masks_front/stage.json"));
+  EXPECT_TRUE(fs::exists(options.output / "work/masks_front/stage.json"));
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ constexpr double kDistortionSd = 0.3;  // k1, k2 of lenses without a fisheye
 constexpr double kSheetLoss_px = 2;    // px; what is farther off counts less and less
 constexpr double kSheetSd_px = 0.5;    // paper is not flat, and edges are fitted to 0.06 px
 
-using Lens = std::array<double, 5>;  // focal length and principal point by the longer side, k1, k2
+// Focal length and principal point by the longer side, k1, k2.
+using LensBlock = std::array<double, 5>;
 
 struct MarkerCost {
   Quad seen;
@@ -96,7 +97,7 @@ std::array<Eigen::Vector2d, 4> cornersOf(const FlatMarker& marker, double side_m
 }
 
 SheetFit fitSheet(SheetBundle& sheet) {
-  std::map<std::pair<int, int>, Lens> lenses;
+  std::map<std::pair<int, int>, LensBlock> lenses;
   std::vector<double> focus(sheet.views.size(), 0);
   std::vector<PoseBlock> poses;
   double inset_px = 0;

@@ -70,7 +70,7 @@ TEST(ColmapCamera, RefusesWhatIsNoLensOfOurs) {
               testing::HasSubstr("THIN_PRISM_FISHEYE"));
   EXPECT_THAT(refusal(7, {900, 890, 800, 600, 0.9}), testing::HasSubstr("'FOV'"));
   EXPECT_NE(refusal(4, {900, 890, 800, 600, NAN, 0, 0, 0}), "");
-  EXPECT_NE(refusal(6, {900, 890, 800, 600, 0, 0, 0, 0, 0, -100, 0, 0}), "") << "a pole at 0.1";
+  EXPECT_NE(refusal(6, {900, 890, 800, 600, -100, 0, 0, 0, 0, 1, 0, 0}), "") << "folds at 0.04";
 }
 
 TEST(ColmapModel, OfAnUnknownNumberHasNeitherNameNorParameters) {

@@ -71,7 +71,7 @@ void bend(const Distortion& lens, const T* own, const T& x, const T& y, T* out) 
 struct Intrinsics {
   int width = 0, height = 0;
   double fx = 0, fy = 0, cx = 0, cy = 0;
-  Distortion distortion;
+  Distortion distortion{};
 
   /// Pixel of a point in the camera frame, mm, with z > 0.
   Eigen::Vector2d project(const Eigen::Vector3d& p_camera) const;

@@ -32,7 +32,9 @@ rig::Intrinsics cameraOf(const DensePhotograph& p) {
           p.fy,
           p.cx,
           p.cy,
-          {d, p.fisheye ? rig::Lens::Fisheye : further ? rig::Lens::Full : rig::Lens::Standard}};
+          {d, p.fisheye ? rig::Lens::Fisheye
+              : further ? rig::Lens::Full
+                        : rig::Lens::Standard}};
 }
 
 // Focal lengths from a fisheye's to a telescope's, in widths of the photograph.

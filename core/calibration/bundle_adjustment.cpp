@@ -231,10 +231,9 @@ class Adjustment {
     using Cost = ceres::AutoDiffCostFunction<PlateCornerCost, 2, 9, 6, 1, 6, 1, 3, 1>;
     problem_.AddResidualBlock(new Cost(new PlateCornerCost{c, lensOf(c.camera)}),
                               new ceres::CauchyLoss(kLossScale), intrinsics_[c.camera].data(),
-                              cameras_[c.camera].data(),
-                              &state_.angles_rad[c.side][c.stop], plates_[c.side].data(),
-                              &insets_[c.camera], state_.print_errors_mm[c.plate_point].data(),
-                              &state_.plate_scale);
+                              cameras_[c.camera].data(), &state_.angles_rad[c.side][c.stop],
+                              plates_[c.side].data(), &insets_[c.camera],
+                              state_.print_errors_mm[c.plate_point].data(), &state_.plate_scale);
   }
 
   void add(const BoardCorner& c) {

@@ -54,11 +54,11 @@ Result<void> writeColmapModel(const std::filesystem::path& folder, const ColmapM
 /// Number of parameters of a camera model, 0 for one that is not known here.
 int colmapParameterCount(int model);
 
-/// PINHOLE without distortion, OPENCV without k3, FULL_OPENCV with more, OPENCV_FISHEYE. The terms of
-/// a thin prism, for which COLMAP has no model, must be 0.
+/// PINHOLE without distortion, OPENCV without k3, FULL_OPENCV with more, OPENCV_FISHEYE. The terms
+/// of a thin prism, for which COLMAP has no model, must be 0.
 ColmapCamera toColmap(const rig::Intrinsics& intrinsics, std::uint32_t id);
-/// Errors: UnusableInput (FOV, a THIN_PRISM_FISHEYE that is more than a fisheye, numbers that are no
-/// camera).
+/// Errors: UnusableInput (FOV, a THIN_PRISM_FISHEYE that is more than a fisheye, numbers that are
+/// no camera).
 Result<rig::Intrinsics> fromColmap(const ColmapCamera& camera);
 
 /// Cameras and images with ids from 1 in their order, one camera per image; names[i] is the file

@@ -73,8 +73,7 @@ std::vector<unsigned char> carveHull(const HullSpace& space, std::span<const Hul
   std::vector<FastCamera> cameras;
   for (const std::size_t v : order)
     cameras.push_back({views[v].image->camera_from_plate.linear(),
-                       views[v].image->camera_from_plate.translation(),
-                       &views[v].image->intrinsics,
+                       views[v].image->camera_from_plate.translation(), &views[v].image->intrinsics,
                        views[v].image->intrinsics.distortion.reach()});
   const Eigen::Vector3i n = space.count;
   std::vector<unsigned char> voxels(static_cast<std::size_t>(n.x()) * n.y() * n.z(), 0);

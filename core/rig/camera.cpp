@@ -138,9 +138,8 @@ Result<void> writeCameras(const std::filesystem::path& file,
                                    {"height", i.height},
                                    {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}}};
     writeLens(i.distortion, json);
-    json["R"] = {{r(0, 0), r(0, 1), r(0, 2)},
-                 {r(1, 0), r(1, 1), r(1, 2)},
-                 {r(2, 0), r(2, 1), r(2, 2)}};
+    json["R"] = {
+        {r(0, 0), r(0, 1), r(0, 2)}, {r(1, 0), r(1, 1), r(1, 2)}, {r(2, 0), r(2, 1), r(2, 2)}};
     json["t"] = {t.x(), t.y(), t.z()};
     list.push_back(std::move(json));
   }

@@ -12,8 +12,8 @@
 
 namespace ostraka::rig {
 
-/// Standard: OpenCV's five terms. Full: with its rational and thin-prism terms behind them. Fisheye:
-/// four terms of the angle (Kannala and Brandt 2006; OpenCV's cv::fisheye).
+/// Standard: OpenCV's five terms. Full: with its rational and thin-prism terms behind them.
+/// Fisheye: four terms of the angle (Kannala and Brandt 2006; OpenCV's cv::fisheye).
 enum class Lens { Standard, Full, Fisheye };
 
 /// How a lens bends the picture of a pinhole, in coordinates x/z, y/z: free of pixels.

@@ -142,11 +142,11 @@ void readLens(const nlohmann::json& from, Intrinsics& camera) {
   const std::size_t count = terms.size();
   const bool fisheye = model == "fisheye";
   if (!terms.is_array() ||
-      (fisheye ? count != 4
-               : count != 0 && count != 4 && count != 5 && count != 8 && count != 12))
-    throw JsonValueError(message("Numbers in 'dist': %1; a lens has 0, 4, 5, 8 or 12 in OpenCV's "
-                                 "order, a fisheye has 4.",
-                                 count));
+      (fisheye ? count != 4 : count != 0 && count != 4 && count != 5 && count != 8 && count != 12))
+    throw JsonValueError(
+        message("Numbers in 'dist': %1; a lens has 0, 4, 5, 8 or 12 in OpenCV's "
+                "order, a fisheye has 4.",
+                count));
   Distortion& lens = camera.distortion = {};
   for (std::size_t k = 0; k < count; ++k)
     lens[k] = numberIn(terms[k], "dist", -kMostTerm, kMostTerm);
@@ -155,8 +155,9 @@ void readLens(const nlohmann::json& from, Intrinsics& camera) {
   else if (std::any_of(lens.terms.begin() + 5, lens.terms.end(), [](double k) { return k != 0; }))
     lens.lens = Lens::Full;
   if (camera.folds())
-    throw JsonValueError(message("No lens has the numbers in 'dist': its picture folds near the "
-                                 "middle. Check their order."));
+    throw JsonValueError(
+        message("No lens has the numbers in 'dist': its picture folds near the "
+                "middle. Check their order."));
 }
 
 void writeLens(const Distortion& lens, nlohmann::ordered_json& to) {

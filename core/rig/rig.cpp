@@ -20,11 +20,10 @@ constexpr std::size_t kParameters = 15;  // of a camera with its pose
 
 nlohmann::ordered_json toJson(const RigCamera& camera) {
   const Intrinsics& i = camera.intrinsics;
-  nlohmann::ordered_json json = {
-      {"camera", camera.camera},
-      {"width", i.width},
-      {"height", i.height},
-      {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}}};
+  nlohmann::ordered_json json = {{"camera", camera.camera},
+                                 {"width", i.width},
+                                 {"height", i.height},
+                                 {"K", {{i.fx, 0, i.cx}, {0, i.fy, i.cy}, {0, 0, 1}}}};
   writeLens(i.distortion, json);
   json["camera_from_turntable"] = ostraka::toJson(camera.camera_from_turntable);
   json["focal_sd_px"] = camera.focal_sd_px;

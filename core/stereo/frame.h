@@ -56,7 +56,8 @@ class StraightPart {
 
  private:
   cv::Rect part_;
-  cv::Mat map_x_, map_y_;  // where the part's pixels lie in the photograph; empty: in the same place
+  // Where the part's pixels lie in the photograph; empty: in the same place.
+  cv::Mat map_x_, map_y_;
 };
 
 /// The part with all that the view shows of the object: the photograph's rectangle and, where the

@@ -177,8 +177,8 @@ Result<FolderLock> writeOutsideFolder(std::span<const View> views, const DenseOp
     cameras.push_back(views[i].camera);
     rig::Intrinsics& pinhole = cameras.back().intrinsics;
     const cv::Rect whole = wholeOf(views[i]);
-    pinhole = {whole.width, whole.height, pinhole.fx, pinhole.fy, pinhole.cx - whole.x,
-               pinhole.cy - whole.y, {}};
+    pinhole = {whole.width,          whole.height,         pinhole.fx, pinhole.fy,
+               pinhole.cx - whole.x, pinhole.cy - whole.y, {}};
     names.push_back(viewName(i) + ".png");
   }
   std::vector<std::optional<Error>> errors(views.size());

@@ -15,11 +15,11 @@ namespace ostraka::virtualrig {
 
 /// What one kind of camera does to all its photographs.
 struct CameraModel {
-  double focal_per_width = 0;          ///< focal length in pixels over the picture's width
-  rig::Distortion distortion{};  ///< one for all photographs
-  double focal_mm = 0, fnumber = 0;    ///< true ones, for EXIF
-  double breathing = 0.004;            ///< SD of the focal length from photograph to photograph
-  double drift_px = 3;                 ///< SD of the principal point, of 1600 pixels
+  double focal_per_width = 0;        ///< focal length in pixels over the picture's width
+  rig::Distortion distortion{};      ///< one for all photographs
+  double focal_mm = 0, fnumber = 0;  ///< true ones, for EXIF
+  double breathing = 0.004;          ///< SD of the focal length from photograph to photograph
+  double drift_px = 3;               ///< SD of the principal point, of 1600 pixels
   rendering::Sensor sensor;
   int jpeg_quality = 90;
   bool halved_colors = true;  ///< 4:2:0

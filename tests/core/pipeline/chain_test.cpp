@@ -1,10 +1,9 @@
 // Photographs that change while a batch is processed, as when a card is copied anew meanwhile.
-#include "stages/batch_inputs.h"
+#include "pipeline/chain.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 
 #include "files/files.h"
@@ -18,41 +17,6 @@ namespace fs = std::filesystem;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
-
-class BatchInputsTest : public testing::Test {
- protected:
-  BatchInputsTest() {
-    std::string pattern = (fs::temp_directory_path() / "ostraka_inputs_XXXXXX").string();
-    folder = ::mkdtemp(pattern.data());
-  }
-  ~BatchInputsTest() override { fs::remove_all(folder); }
-  static void write(const fs::path& file, const std::string& bytes) {
-    ASSERT_TRUE(writeFileAtomically(file, bytes).has_value());
-  }
-  fs::path folder;
-};
-
-TEST_F(BatchInputsTest, AreTheSameWhileTheirBytesAreHoweverOftenTheyAreWritten) {
-  batch::Batch batch;
-  batch.folder = folder;
-  for (const char* name : {"front/a.jpg", "front/b.jpg", "back/a.jpg"}) {
-    write(folder / name, name);
-    batch.shots.push_back({batch::Side::Front, 0, 0, folder / name, {}, 1, 1});
-  }
-  const stages::BatchInputs inputs(batch, 2);
-  EXPECT_EQ(inputs.hashes().at("back/a.jpg"), sha256("back/a.jpg"));
-  EXPECT_TRUE(inputs.checkUnchanged().has_value());
-  write(folder / "front/b.jpg", "front/b.jpg");
-  EXPECT_TRUE(inputs.checkUnchanged().has_value()) << "copied anew";
-  write(folder / "front/b.jpg", "front/a.jpg");
-  const Result<void> changed = inputs.checkUnchanged();
-  ASSERT_FALSE(changed.has_value()) << "as long as before";
-  EXPECT_EQ(changed.error().where, (folder / "front/b.jpg").string());
-  write(folder / "front/b.jpg", "front/b.jpg");
-  EXPECT_TRUE(inputs.checkUnchanged().has_value());
-  fs::remove(folder / "back/a.jpg");
-  EXPECT_FALSE(inputs.checkUnchanged().has_value());
-}
 
 // At the beginning of a stage does something, once, and hears what is reused.
 class AtStage final : public Progress {

@@ -237,10 +237,11 @@ class OnnxCheck {
   std::optional<std::uint64_t> valuesOf(std::string_view bytes) {
     std::uint64_t values = 1, type = 0, raw = 0;
     std::array<std::uint64_t, 12> typed{};
+    // As many as OpenCV counts; so their bytes do not overflow.
     const auto multiply = [&](std::uint64_t dim) {
-      if (dim > INT_MAX || values > UINT32_MAX) return false;
+      if (dim > INT_MAX) return false;
       values *= dim;
-      return true;
+      return values <= INT_MAX;
     };
     const bool whole = eachField(bytes, [&](const Field& field) {
       switch (field.number) {

@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
+#include "batch/photographs.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 
@@ -52,16 +53,6 @@ Result<Target> readTarget(const fs::path& file) {
   return Target{grid, {}};
 }
 
-std::vector<fs::path> picturesIn(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code failed;
-  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
-    if (batch::hasPhotographEnding(it->path())) files.push_back(it->path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 int cameraOf(const fs::path& file) {
   int camera = 0, number = 0;
   return std::sscanf(file.stem().c_str(), "cam%d_cal%d", &camera, &number) == 2 ? camera : 0;
@@ -88,7 +79,7 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
   if (!target) return target.error();
   std::error_code ignored;
   std::vector<fs::path> files =
-      picturesIn(fs::is_directory(folder / "calib", ignored) ? folder / "calib" : folder);
+      batch::photographsIn(fs::is_directory(folder / "calib", ignored) ? folder / "calib" : folder);
   std::erase_if(files, [](const fs::path& file) {
     return file.filename().string().starts_with("empty_cam");
   });

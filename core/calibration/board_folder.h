@@ -17,9 +17,10 @@ struct BoardPictures {
   std::vector<Message> set_aside;  ///< pictures that cannot be read, or of another size
 };
 
-/// All pictures of a folder (or of its sub-folder calib) with their board: board.json, a ChArUco
-/// board or, with "type": "aruco_grid", a plain grid of markers. By camera: names cam<C>_cal<NN>;
-/// other names count as camera 0. Errors: UnusableInput (no board.json, no picture), Cancelled.
+/// All pictures of a folder (or of its sub-folder calib; batch::photographsIn) with their board:
+/// board.json, a ChArUco board or, with "type": "aruco_grid", a plain grid of markers. By camera:
+/// names cam<C>_cal<NN>; other names count as camera 0. Errors: UnusableInput (no board.json, no
+/// picture), Cancelled.
 Result<std::map<int, BoardPictures>> readBoardFolder(const std::filesystem::path& folder,
                                                      int threads, Progress& progress,
                                                      std::stop_token stop);

@@ -26,5 +26,24 @@ TEST(BoardFolder, RefusesAGridWithoutGaps) {
   EXPECT_THAT(read.error().sentence(), testing::HasSubstr("board.json"));
 }
 
+// A card that a Mac wrote holds a hidden file beside each picture, which is none.
+TEST(BoardFolder, ReadsThePicturesInTheOrderOfTheirNumbersAndNoHiddenFiles) {
+  const fs::path folder = fs::temp_directory_path() / (std::to_string(::getpid()) + "-board");
+  ASSERT_TRUE(writeFileAtomically(folder / "board.json",
+                                  R"({"type":"aruco_grid","dictionary":"DICT_4X4_50","markers_x":5,
+                                  "markers_y":7,"marker_length":20,"marker_separation":5})")
+                  .has_value());
+  for (const char* name : {"p10.jpg", "p9.jpg", "._p9.jpg", "notes.txt"})
+    ASSERT_TRUE(writeFileAtomically(folder / "calib" / name, "no picture").has_value());
+  QuietProgress quiet;
+  const auto read = readBoardFolder(folder, 1, quiet, {});
+  fs::remove_all(folder);
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  const std::vector<Message>& set_aside = read->at(0).set_aside;
+  ASSERT_EQ(set_aside.size(), 2U);
+  EXPECT_THAT(set_aside[0].english(), testing::HasSubstr("p9.jpg"));
+  EXPECT_THAT(set_aside[1].english(), testing::HasSubstr("p10.jpg"));
+}
+
 }  // namespace
 }  // namespace ostraka::calibration

@@ -1,4 +1,6 @@
 #pragma once
+#include <gmock/gmock.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -71,6 +73,31 @@ class TwoCopies : public TwoHouses {
  protected:
   TwoCopies() : b_(copied("b")) {}
   upkeep::Project b_;
+};
+
+/// Two copies of which both houses changed something.
+class Conflicts : public TwoCopies {
+ protected:
+  /// Nothing is written before it is settled; afterwards neither direction asks again.
+  void settle(const Settled& settled) {
+    const std::string before = contentIn(*project_), before_b = contentIn(b_);
+    const MergeReport open = merged(*project_, b_);
+    EXPECT_FALSE(open.entered);
+    std::vector<std::string> ids;
+    for (const auto& [id, choice] : settled) ids.push_back(id);
+    EXPECT_THAT(openIn(open), testing::UnorderedElementsAreArray(ids));
+    EXPECT_EQ(contentIn(*project_), before);
+    const MergeReport done = merged(*project_, b_, settled);
+    EXPECT_TRUE(done.entered);
+    EXPECT_THAT(openIn(done), testing::IsEmpty());
+    EXPECT_EQ(contentIn(b_), before_b);
+    const std::string after = contentIn(*project_);
+    EXPECT_THAT(openIn(merged(*project_, b_)), testing::IsEmpty());
+    EXPECT_EQ(contentIn(*project_), after);
+    EXPECT_THAT(openIn(merged(b_, *project_)), testing::IsEmpty());
+    EXPECT_TRUE(project_->catalogue().checkIntegrity());
+    EXPECT_TRUE(b_.catalogue().checkIntegrity());
+  }
 };
 
 }  // namespace ostraka::merge

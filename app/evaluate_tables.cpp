@@ -99,10 +99,7 @@ std::string table(const PairsEvaluation& set) {
                       figure(v.pair.fracture_rms_mm).c_str());
   }
   const auto list = [&](const char* title, const std::vector<std::string>& names) {
-    if (names.empty()) return;
-    text += title;
-    for (const std::string& name : names) text += " " + name;
-    text += "\n";
+    if (!names.empty()) text += title + (" " + joined(names, " ")) + "\n";
   };
   list("  missed pairs (fronts):", set.missed);
   list("  scans named nowhere:", set.forgotten);

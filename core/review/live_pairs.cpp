@@ -18,6 +18,7 @@
 #include "pairing/turning_angles.h"
 #include "pipeline/chain.h"
 #include "registration/pair_fit.h"
+#include "review/picture_pixel.h"
 #include "review/review.h"
 #include "rig/camera.h"
 #include "scan/fracture.h"
@@ -338,7 +339,7 @@ Result<std::vector<int>> LivePairs::likeliestBacks(int front, Progress& progress
 }
 
 Result<PairView> LivePairs::view(int front, int back, const Isometry3d& pose) const {
-  constexpr double kPixel_mm = 0.15, kMargin_mm = 2;  // a photograph's pixel is 0.24 mm, or less
+  constexpr double kMargin_mm = 2;
   const Result<const scan::Scan*> f = state_->scanOf(Side::Front, front);
   if (!f) return f.error();
   const Result<const scan::Scan*> b = state_->scanOf(Side::Back, back);
@@ -347,7 +348,8 @@ Result<PairView> LivePairs::view(int front, int back, const Isometry3d& pose) co
   const PointCloud moved = transformed((*b)->cloud, pose);
   std::vector<Eigen::Vector3f> both = (*f)->cloud.points;
   both.insert(both.end(), moved.points.begin(), moved.points.end());
-  view.frame = frameAround(both, kPixel_mm, kMargin_mm);
+  const double pixel_mm = std::min(pixelOf_mm(Side::Front, front), pixelOf_mm(Side::Back, back));
+  view.frame = frameAround(both, pixel_mm, kMargin_mm);
   if (state_->images.empty()) {
     view.front = pointPicture((*f)->cloud, Isometry3d::Identity(), Facing::Up, view.frame);
     view.back = pointPicture((*b)->cloud, pose, Facing::Down, view.frame);
@@ -367,6 +369,14 @@ Result<PairView> LivePairs::view(int front, int back, const Isometry3d& pose) co
     view.fracture =
         registration::fractureDistances(**front_strip, **back_strip, pose, kFractureReach_mm);
   return view;
+}
+
+double LivePairs::pixelOf_mm(Side side, int scan) const {
+  const Result<const scan::Scan*> points = state_->scanOf(side, scan);
+  const Result<rig::PosedImage> photograph = state_->highest(side);
+  return points && photograph && !(*points)->cloud.empty()
+             ? picturePixel_mm(*photograph, (*points)->cloud.points)
+             : kWidestPicturePixel_mm;
 }
 
 PictureFrame LivePairs::frameOf(Side side, int scan, double px_mm) const {

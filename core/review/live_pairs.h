@@ -71,6 +71,8 @@ class LivePairs {
 
   Result<PairView> view(int front, int back, const Eigen::Isometry3d& pose) const;
   /// A side alone, seen from its own outside, in its own plate frame.
+  /// picturePixel_mm of the photograph that shows the scan; without one the widest.
+  double pixelOf_mm(batch::Side side, int scan) const;
   PictureFrame frameOf(batch::Side side, int scan, double px_mm) const;  ///< of picture()
   Result<Picture> picture(batch::Side side, int scan, double px_mm) const;
   /// The photograph that a side is shown by, the one from highest above; its file may be gone.

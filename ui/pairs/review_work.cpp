@@ -11,7 +11,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr std::size_t kShownPoints = 60000;  // of a face; fractures come on top
-constexpr double kThumbnailPixel_mm = 0.5, kLonePixel_mm = 0.15;
+constexpr double kThumbnailPixel_mm = 0.5;
 
 }  // namespace
 
@@ -64,8 +64,9 @@ Result<std::shared_ptr<const PairScene>> loneScene(const LivePairsPtr& live, bat
   auto scene = std::make_shared<PairScene>();
   const bool front = side == batch::Side::Front;
   (front ? scene->front : scene->back) = scan;
-  scene->view.frame = live->frameOf(side, scan, kLonePixel_mm);
-  if (const Result<review::Picture> picture = live->picture(side, scan, kLonePixel_mm))
+  const double pixel_mm = live->pixelOf_mm(side, scan);
+  scene->view.frame = live->frameOf(side, scan, pixel_mm);
+  if (const Result<review::Picture> picture = live->picture(side, scan, pixel_mm))
     (front ? scene->front_picture : scene->back_picture) = imageOf(*picture);
   Result<review::ScanCloud> cloud = live->cloud(side, scan, kShownPoints);
   if (!cloud) return cloud.error();

@@ -134,6 +134,18 @@ cv::Mat1f sharperAlongOutlines(const cv::Mat1f& coarse, const cv::Mat1f& fine) {
   return sharp;
 }
 
+// Of a network that takes any size.
+cv::Size freeInput(cv::Size photograph, int longer_px) {
+  const double scale =
+      std::min(1.0, static_cast<double>(longer_px) / std::max(photograph.width, photograph.height));
+  const auto side = [&](int length) {
+    return std::max(
+        kFreeMultiple_px,
+        kFreeMultiple_px * static_cast<int>(std::lround(length * scale / kFreeMultiple_px)));
+  };
+  return {side(photograph.width), side(photograph.height)};
+}
+
 }  // namespace
 
 Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph, int longer_px,
@@ -146,15 +158,13 @@ Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph, i
     return unusable(where, message("its input has %1 channels", channels));
   if (rows > kMaxInputPx || columns > kMaxInputPx)
     return unusable(where, message("its input is larger than %1 pixels", kMaxInputPx));
-  const double scale =
-      std::min(1.0, static_cast<double>(longer_px) / std::max(photograph.width, photograph.height));
-  const auto free = [&](int length) {
-    return std::max(
-        kFreeMultiple_px,
-        kFreeMultiple_px * static_cast<int>(std::lround(length * scale / kFreeMultiple_px)));
-  };
-  return cv::Size(columns > 0 ? static_cast<int>(columns) : free(photograph.width),
-                  rows > 0 ? static_cast<int>(rows) : free(photograph.height));
+  const cv::Size free = freeInput(photograph, longer_px);
+  return cv::Size(columns > 0 ? static_cast<int>(columns) : free.width,
+                  rows > 0 ? static_cast<int>(rows) : free.height);
+}
+
+bool looksTwice(cv::Size photograph) {
+  return freeInput(photograph, kFineInput_px) != freeInput(photograph, kFreeInput_px);
 }
 
 // A network whose layers stay laid out while photographs have one size: laying them out anew, and
@@ -243,7 +253,7 @@ Result<std::vector<cv::Mat1b>> sherdProbabilities(std::span<const cv::Mat> photo
   std::vector<cv::Mat1b> found;
   for (std::size_t i = 0; i < photographs.size(); ++i) {
     if (stop.stop_requested()) return Error::cancelled();
-    if (std::max(photographs[i].cols, photographs[i].rows) <= kFreeInput_px) {
+    if (!looksTwice(photographs[i].size())) {
       found.push_back(inBytes(coarse[i]));
       continue;
     }

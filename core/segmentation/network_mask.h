@@ -54,5 +54,8 @@ class Network {
 /// Errors: Cancelled, UnusableInput.
 Result<std::vector<cv::Mat1b>> sherdProbabilities(std::span<const cv::Mat> photographs,
                                                   const std::stop_token& stop);
+/// Whether it also looks at a finer picture, for sharper outlines: not where a photograph of this
+/// size, as one of a draft, gives no finer one.
+bool looksTwice(cv::Size photograph);
 
 }  // namespace ostraka::segmentation

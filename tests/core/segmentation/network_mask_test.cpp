@@ -194,6 +194,13 @@ TEST(ShippedNetwork, FindsNothingOnBarePaper) {
   }
 }
 
+TEST(ShippedNetwork, LooksOnceAtPhotographsThatGiveNoFinerPicture) {
+  EXPECT_TRUE(looksTwice({1600, 1200}));  // at 1024 x 768, and at 1600 x 1216
+  EXPECT_FALSE(looksTwice({1033, 775}));  // a draft's: 1024 x 768 both times
+  EXPECT_FALSE(looksTwice({1024, 768}));
+  EXPECT_TRUE(looksTwice({775, 1100}));  // 1024 and 1088 high
+}
+
 TEST(ShippedNetwork, TakesColourPhotographsOnly) {
   const std::vector<cv::Mat> grey{cv::Mat(60, 80, CV_8UC1, cv::Scalar(0))}, none{cv::Mat()};
   EXPECT_FALSE(sherdProbabilities(grey, {}).has_value());

@@ -1,0 +1,87 @@
+#!/bin/bash
+# Starts the image of a stick in QEMU, waits for the window, processes a small batch there over the
+# serial line, and switches off. Screenshots and the record of the line go to the output folder.
+# By hand: without KVM it takes long. Needs qemu-system-x86, ovmf, mtools, socat, imagemagick.
+#   stick_boot.sh IMAGE OUTPUT_FOLDER [bios|uefi]       (SECONDS_AT_MOST=3600)
+# An encrypted stick gets the passphrase 'ostraka', typed as a person would.
+set -euo pipefail
+image=${1:?"name the image"}
+output=$(mkdir -p "${2:?"name the output folder"}" && cd "$2" && pwd)
+firmware=${3:-bios}
+at_most=${SECONDS_AT_MOST:-3600}
+wrong() { echo "stick_boot: $*" >&2; exit 1; }
+
+# A copy, on a stick larger than the image; its kernel speaks on the serial line, too.
+stick=$output/stick.img
+cp --sparse=always "$image" "$stick"
+truncate -s +3G "$stick"
+mcopy -n -i "$stick@@1048576" ::/boot/grub/grub.cfg "$output/grub.cfg"
+sed -i '1i set options="console=tty0 console=ttyS0,115200 systemd.show_status=yes"' "$output/grub.cfg"
+mcopy -o -i "$stick@@1048576" "$output/grub.cfg" ::/boot/grub/grub.cfg
+
+# shellcheck disable=SC2054  # commas belong to QEMU's words
+options=(-m 3072 -smp 2 -display none -vga std -monitor "unix:$output/monitor,server,nowait"
+  -chardev "pipe,id=line,path=$output/line" -serial chardev:line -nic none -rtc base=utc
+  -device qemu-xhci -device usb-storage,drive=stick,removable=on
+  -drive "id=stick,if=none,format=raw,file=$stick")
+[ ! -w /dev/kvm ] || options+=(-accel kvm)
+if [ "$firmware" = uefi ]; then
+  cp /usr/share/OVMF/OVMF_VARS_4M.fd "$output/vars.fd"
+  # shellcheck disable=SC2054
+  options+=(-drive if=pflash,format=raw,readonly=on,file=/usr/share/OVMF/OVMF_CODE_4M.fd
+    -drive "if=pflash,format=raw,file=$output/vars.fd")
+fi
+rm -f "$output"/line.{in,out}
+mkfifo "$output/line.in" "$output/line.out"
+qemu-system-x86_64 "${options[@]}" &
+machine=$!
+cat "$output/line.out" > "$output/line.log" &
+trap 'kill $machine 2> /dev/null || true; rm -f "$output"/line.{in,out} "$output/monitor"' EXIT
+exec 3> "$output/line.in"
+begin=$SECONDS
+monitor() { echo "$*" | socat - "unix-connect:$output/monitor" > /dev/null; }
+screenshot() {
+  monitor "screendump $output/$1.ppm"
+  sleep 2
+  convert "$output/$1.ppm" "$output/$1.png" && rm "$output/$1.ppm"
+}
+until_line() {  # until the serial line has said it
+  until grep -qaE "$1" "$output/line.log"; do
+    kill -0 "$machine" 2> /dev/null || wrong "the machine ended before it said '$1'"
+    [ $((SECONDS - begin)) -lt "$at_most" ] || { screenshot timeout; wrong "no '$1' in time"; }
+    sleep 2
+    [ -z "${2:-}" ] || "$2"
+  done
+  echo "stick_boot: '$1' after $((SECONDS - begin)) s"
+}
+typed=0
+type_passphrase() {  # twice to choose it, once to open
+  [ "$encrypted" = yes ] || return 0
+  [ $((SECONDS - begin)) -gt $((typed * 60 + 120)) ] || return 0
+  for key in o s t r a k a ret; do monitor "sendkey $key"; done
+  typed=$((typed + 1))
+}
+start=$(sfdisk --json "$image" | sed -n 's/.*"start": *\([0-9]*\).*/\1/p' | tail -n 1)
+encrypted=no
+! dd if="$image" bs=512 skip="$start" count=1 status=none | tr -d '\0' | grep -qa 'format as luks' || encrypted=yes
+
+until_line 'ostraka login:' type_passphrase
+echo lab >&3
+until_line 'lab@ostraka'
+# Words that the echo of what is typed does not have.
+run() { echo "$1; echo \"$2=\"\$?" >&3; until_line "$2=[0-9]"; }
+run 'findmnt -n /projects; df -h /projects; systemctl --failed --no-pager; lpinfo -m | wc -l; fc-list | wc -l' looked
+run 'until pgrep -x ostraka; do sleep 2; done; sleep 60; systemd-analyze' window
+screenshot window
+run 'ostraka --version; ostraka doctor' doctor
+run 'ostraka rig simulate --output /projects/batch --seed 7 --sherds 2 --width 640 --stops 4' simulated
+run 'ostraka process /projects/batch --output /projects/sherds --draft; ls /projects/sherds/sherds/*' processed
+screenshot after
+echo 'sudo systemctl poweroff' >&3
+for _ in $(seq 300); do
+  kill -0 "$machine" 2> /dev/null || break
+  sleep 2
+done
+! kill -0 "$machine" 2> /dev/null || wrong "it does not switch off"
+grep -qa 'processed=[03]' "$output/line.log" || true
+echo "stick_boot: all ran by $firmware; look at $output/window.png"

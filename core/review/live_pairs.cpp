@@ -1,7 +1,6 @@
 #include "review/live_pairs.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <mutex>
 #include <opencv2/imgproc.hpp>
@@ -101,12 +100,6 @@ void addTurns(PairView& view) {
   if (!a || !b) return;
   view.front_turns = pairing::accumulated(*a, 0);
   view.back_turns = pairing::accumulated(*b, 0);
-  double sum = 0;
-  for (int i = 0; i < kTurnSamples; ++i) {
-    const std::size_t k = static_cast<std::size_t>(i);
-    sum += std::pow(view.front_turns[k] - view.back_turns[k], 2);
-  }
-  view.turns_difference = std::sqrt(sum / kTurnSamples);
 }
 
 // As one figure after the other is shown, all must be measured alike.

@@ -32,7 +32,6 @@ struct PairView {
   Picture front, back;                                       ///< empty where the photograph is gone
   std::vector<Eigen::Vector2d> front_outline, back_outline;  ///< closed
   std::vector<double> front_turns, back_turns;  ///< accumulated turning angles, rad, 200 or none
-  double turns_difference = 0;                  ///< RMS of the two, rad
   std::vector<registration::FractureDistance> fracture;
 };
 

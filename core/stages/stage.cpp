@@ -65,7 +65,6 @@ std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string
     return {};
   }
   record.outputs_hash = outputsHash(*files, record.notes.figures);
-  record.resumed = true;
   return record;
 }
 

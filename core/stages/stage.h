@@ -23,7 +23,6 @@ struct StageRecord {
   double seconds = 0;
   double peak_memory_mb = 0;  ///< of the process up to the stage's end
   std::string outputs_hash;   ///< over names and contents of the files left, and the notes
-  bool resumed = false;       ///< found whole from an earlier run
 };
 
 /// Writes a stage's files into the folder it is given.

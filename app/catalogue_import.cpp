@@ -35,9 +35,17 @@ struct ImportArguments {
 };
 
 const char* chosenBy(tables::ChosenBy by) {
-  constexpr const char* kWords[] = {"by its name", "as in the last table with these columns",
-                                    "as --map says", "a custom field"};
-  return kWords[static_cast<int>(by)];
+  switch (by) {
+    case tables::ChosenBy::Name:
+      return "by its name";
+    case tables::ChosenBy::Earlier:
+      return "as in the last table with these columns";
+    case tables::ChosenBy::Person:
+      return "as --map says";
+    case tables::ChosenBy::Nobody:
+      break;
+  }
+  return "a custom field";
 }
 
 // What was mapped, a line a column.

@@ -27,13 +27,39 @@ struct ClusterOptions {
 };
 
 const char* wordOf(TaskState state) {
-  constexpr const char* kWords[] = {"waiting", "running", "done", "failed", "collected"};
-  return kWords[static_cast<int>(state)];
+  switch (state) {
+    case TaskState::Waiting:
+      return "waiting";
+    case TaskState::Running:
+      return "running";
+    case TaskState::Done:
+      return "done";
+    case TaskState::Failed:
+      return "failed";
+    case TaskState::Collected:
+      return "collected";
+  }
+  return "";
 }
 
 const char* wordOf(cluster::Cause cause) {
-  constexpr const char* kWords[] = {"", "memory", "time", "node", "disk", "program", "lost"};
-  return kWords[static_cast<int>(cause)];
+  switch (cause) {
+    case cluster::Cause::None:
+      return "";
+    case cluster::Cause::Memory:
+      return "memory";
+    case cluster::Cause::Time:
+      return "time";
+    case cluster::Cause::Node:
+      return "node";
+    case cluster::Cause::Disk:
+      return "disk";
+    case cluster::Cause::Program:
+      return "program";
+    case cluster::Cause::Lost:
+      return "lost";
+  }
+  return "";
 }
 
 nlohmann::ordered_json jsonOf(const std::vector<TaskStatus>& all) {

@@ -22,23 +22,34 @@ double unwound(double angle, double near) {
 }  // namespace
 
 Message words(ShotProblem problem) {
-  constexpr Template<0> kWords[] = {
-      // in the order of ShotProblem
-      translatable<0>("the file is truncated or not a picture"),
-      translatable<0>("the markers show an angle other than this position's"),
-      translatable<0>("the picture's size differs from that of the camera's other pictures"),
-      translatable<0>(
+  switch (problem) {
+    case ShotProblem::Unreadable:
+      return message("the file is truncated or not a picture");
+    case ShotProblem::WrongStop:
+      return message("the markers show an angle other than this position's");
+    case ShotProblem::OtherSize:
+      return message("the picture's size differs from that of the camera's other pictures");
+    case ShotProblem::Unplaced:
+      return message(
           "too few markers are visible to identify the position: check that nothing covers them "
-          "and that the picture is sharp"),
-      translatable<0>("the camera delivered an earlier photograph again"),
-      translatable<0>("too few markers of the plate are visible: check that nothing covers them"),
-      translatable<0>(
-          "the picture is blurred: check that the turntable is still and the focus is unchanged"),
-      translatable<0>("the sherds are too dark: add light or increase the exposure time"),
-      translatable<0>("the sherds are overexposed: reduce the exposure time"),
-      translatable<0>("a sherd is cut off by the picture's edge: move it or the camera"),
-      translatable<0>("the camera's settings have changed: restore them")};
-  return message(kWords[static_cast<int>(problem)]);
+          "and that the picture is sharp");
+    case ShotProblem::Repeated:
+      return message("the camera delivered an earlier photograph again");
+    case ShotProblem::FewMarkers:
+      return message("too few markers of the plate are visible: check that nothing covers them");
+    case ShotProblem::Blurred:
+      return message(
+          "the picture is blurred: check that the turntable is still and the focus is unchanged");
+    case ShotProblem::TooDark:
+      return message("the sherds are too dark: add light or increase the exposure time");
+    case ShotProblem::TooBright:
+      return message("the sherds are overexposed: reduce the exposure time");
+    case ShotProblem::CutOff:
+      return message("a sherd is cut off by the picture's edge: move it or the camera");
+    case ShotProblem::OtherSettings:
+      return message("the camera's settings have changed: restore them");
+  }
+  return {};
 }
 
 bool ShotCheck::has(ShotProblem problem) const {

@@ -252,19 +252,26 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
 }
 
 std::string reasonOf(const SherdPair& pair) {
-  constexpr const char* kReasons[] = {
-      // in the order of Doubt
-      "",
-      "",
-      "Another partner fits almost as well.",
-      "The two sides fit barely better than unrelated ones.",
-      "Another pose of the same two sides fits almost as well.",
-      "The pair is likely, but not certain enough to be accepted unseen.",
-      "A person assigned its back to another front.",
-      "Another front takes the same back."};
-  const pairing::Doubt doubt = pair.decision.doubt;
-  return doubt == pairing::Doubt::SelfCheck ? pair.registration.reason
-                                            : kReasons[static_cast<int>(doubt)];
+  using pairing::Doubt;
+  switch (pair.decision.doubt) {
+    case Doubt::None:
+      return {};
+    case Doubt::SelfCheck:
+      return pair.registration.reason;
+    case Doubt::OtherPartner:
+      return "Another partner fits almost as well.";
+    case Doubt::Unrelated:
+      return "The two sides fit barely better than unrelated ones.";
+    case Doubt::OtherPose:
+      return "Another pose of the same two sides fits almost as well.";
+    case Doubt::NotSure:
+      return "The pair is likely, but not certain enough to be accepted unseen.";
+    case Doubt::Displaced:
+      return "A person assigned its back to another front.";
+    case Doubt::SharedBack:
+      return "Another front takes the same back.";
+  }
+  return {};
 }
 
 ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,

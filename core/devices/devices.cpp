@@ -38,7 +38,8 @@ std::vector<fs::path> entriesOf(const fs::path& folder) {
 // Serial adapters that are no CDC-ACM: their protocols live in the kernel's drivers.
 bool isSerialAdapter(const std::string& vendor) {
   constexpr std::array kVendors{"1a86", "0403", "10c4", "067b"};  // CH340, FTDI, CP210x, PL2303
-  return std::ranges::any_of(kVendors, [&](const char* known) { return vendor == known; });
+  return std::any_of(kVendors.begin(), kVendors.end(),
+                     [&](const char* known) { return vendor == known; });
 }
 
 // "001/002" or "001,002".
@@ -120,8 +121,15 @@ void addSerial(const fs::path& interface, const SystemFolders& folders, bool cdc
 }  // namespace
 
 std::string name(DeviceKind kind) {
-  constexpr const char* kNames[] = {"camera", "serial controller", "video camera"};
-  return kNames[static_cast<int>(kind)];
+  switch (kind) {
+    case DeviceKind::Camera:
+      return "camera";
+    case DeviceKind::Turntable:
+      return "serial controller";
+    case DeviceKind::VideoCamera:
+      return "video camera";
+  }
+  return {};
 }
 
 std::vector<std::string> holdersOf(const fs::path& device_file, const SystemFolders& folders) {
@@ -175,7 +183,7 @@ std::vector<FoundDevice> findDevices(const SystemFolders& folders) {
       }
     }
   }
-  std::ranges::stable_sort(found, [](const FoundDevice& a, const FoundDevice& b) {
+  std::stable_sort(found.begin(), found.end(), [](const FoundDevice& a, const FoundDevice& b) {
     return std::tie(a.kind, a.address) < std::tie(b.kind, b.address);
   });
   return found;

@@ -15,11 +15,17 @@ constexpr float kPaperMargin = 3.5f;       // mm of white around the black borde
 constexpr float kPaper = 0.72f, kInk = 0.028f;
 
 Eigen::Vector3f feltOf(PlateColor color) {
-  const Eigen::Vector3f felts[] = {{0.029f, 0.030f, 0.034f},  // in the order of PlateColor
-                                   {0.205f, 0.207f, 0.21f},
-                                   {0.43f, 0.43f, 0.42f},
-                                   {0.70f, 0.705f, 0.70f}};
-  return felts[static_cast<int>(color)];
+  switch (color) {
+    case PlateColor::Dark:
+      return {0.029f, 0.030f, 0.034f};
+    case PlateColor::Grey:
+      return {0.205f, 0.207f, 0.21f};
+    case PlateColor::Light:
+      return {0.43f, 0.43f, 0.42f};
+    case PlateColor::White:
+      return {0.70f, 0.705f, 0.70f};
+  }
+  return {0.029f, 0.030f, 0.034f};
 }
 
 }  // namespace

@@ -122,11 +122,17 @@ Vector3f pencilColor(const Vector3f& p, const Vector3f& body) {
 }  // namespace
 
 Eigen::Vector3d propSize(PropKind kind) {
-  const Eigen::Vector3d sizes[] = {{110, 16, 1.2},  // in the order of PropKind
-                                   {50, 26, 0.3},
-                                   {90, 30, 0.8},
-                                   {140, 2 * kPencilRadius, 2 * kPencilRadius}};
-  return sizes[static_cast<int>(kind)];
+  switch (kind) {
+    case PropKind::ScaleBar:
+      return {110, 16, 1.2};
+    case PropKind::Label:
+      return {50, 26, 0.3};
+    case PropKind::ColorCard:
+      return {90, 30, 0.8};
+    case PropKind::Pencil:
+      return {140, 2 * kPencilRadius, 2 * kPencilRadius};
+  }
+  return {10, 10, 1};
 }
 
 Prop makeProp(PropKind kind, const Eigen::Isometry3d& plate_from_prop, vessels::Random& random) {

@@ -71,9 +71,15 @@ std::string sentenceOf(const DamagedFile& damaged) {
   if (!file.sherd.empty()) of = "sherd " + file.sherd;
   if (!file.batch.empty()) of += (of.empty() ? "batch " : ", batch ") + file.batch;
   const std::string name = of.empty() ? file.path : file.path + " (" + of + ")";
-  constexpr const char* kWords[] = {" is missing.", " has changed since it was entered.",
-                                    " cannot be read."};
-  return name + kWords[static_cast<int>(damaged.damage)];
+  switch (damaged.damage) {
+    case Damage::Missing:
+      return name + " is missing.";
+    case Damage::Changed:
+      return name + " has changed since it was entered.";
+    case Damage::Unreadable:
+      return name + " cannot be read.";
+  }
+  return name;
 }
 
 std::optional<Damage> damageOf(const KnownFile& file, const Checksum& found) {

@@ -29,11 +29,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<std::vector<cv::Mat>> photographsOf(const std::vector<rig::PosedImage>& images,
-                                           int threads) {
+Result<std::vector<cv::Mat>> photographsOf(const std::vector<rig::PosedImage>& images, int threads,
+                                           const std::stop_token& stop) {
   std::vector<cv::Mat> photographs(images.size());
   std::vector<std::optional<Error>> errors(images.size());
   parallelFor(images.size(), threads, [&](std::size_t i) {
+    if (stop.stop_requested()) return;
     Result<cv::Mat> photograph = batch::readPhotograph(images[i].file);
     if (photograph)
       photographs[i] =
@@ -41,6 +42,7 @@ Result<std::vector<cv::Mat>> photographsOf(const std::vector<rig::PosedImage>& i
     else
       errors[i] = photograph.error();
   });
+  if (stop.stop_requested()) return Error::cancelled();
   for (const std::optional<Error>& error : errors)
     if (error) return *error;
   return photographs;
@@ -144,12 +146,13 @@ Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedI
   const Result<batch::MaskSource> source = batch::maskSource(run.options.masks, run.batch);
   if (!source) return source.error();
   if (*source == batch::MaskSource::Given) return givenMasks(run, images);
-  const Result<std::vector<cv::Mat>> photographs = photographsOf(images, run.threadsForOriginals());
+  const Result<std::vector<cv::Mat>> photographs =
+      photographsOf(images, run.threadsForOriginals(), run.stop);
   if (!photographs) return photographs.error();
   if (*source == batch::MaskSource::Network) return networkMasks(run, *photographs);
+  const CoarseOptions coarse{run.options.threads, coarseMegapixels(run.options.megapixels)};
   if (*source == batch::MaskSource::Views)
-    return masksFromViews(images, *photographs, ground, run.options.threads, run.progress,
-                          run.stop);
+    return masksFromViews(images, *photographs, ground, coarse, run.progress, run.stop);
   mask::PlateMaskOptions options;
   options.threads = run.options.threads;
   options.bend = bend;
@@ -158,8 +161,7 @@ Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedI
   if (on_sheet) {
     PartProgress first(run.progress, 0, 2);
     Result<std::vector<cv::Mat1b>> shown =
-        shownOn({*turning.plate.sheet, bend, true}, images, *photographs, run.options.threads,
-                first, run.stop);
+        shownOn({*turning.plate.sheet, bend, true}, images, *photographs, coarse, first, run.stop);
     if (!shown && shown.error().code != ErrorCode::NotEnough) return shown.error();
     if (shown) options.shown = std::move(*shown);
   }

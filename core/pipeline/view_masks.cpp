@@ -14,7 +14,7 @@
 namespace ostraka::pipeline {
 namespace {
 
-constexpr double kCoarseMegapixels = 0.5;  // enough to tell a sherd of 5 mm height from a table
+constexpr double kCoarseMegapixels = 0.5, kCoarseOfDraft = 0.25;
 // Of the common sight's radius: how far below and above the ground things are looked for, and how
 // far from it its own points may lie. Beyond what was seen of the ground nothing is: what surrounds
 // it is blurred, or too plain, and stereo finds heights there that are none.
@@ -25,8 +25,8 @@ constexpr int kSources = 5, kSourcesPerPixel = 3;
 
 constexpr std::size_t kMostViews = 12;  // of a printed sheet: they see all that is to be confirmed
 
-rig::PosedImage coarsely(rig::PosedImage image) {
-  image.intrinsics = rig::reducedTo(image.intrinsics, kCoarseMegapixels);
+rig::PosedImage coarsely(rig::PosedImage image, const CoarseOptions& options) {
+  image.intrinsics = rig::reducedTo(image.intrinsics, options.megapixels);
   return image;
 }
 
@@ -63,10 +63,16 @@ cv::Mat1b sightOf(const Eigen::AlignedBox3d& box, const rig::PosedImage& image) 
 
 }  // namespace
 
+double coarseMegapixels(double megapixels) {
+  return megapixels <= kDraftMegapixels ? kCoarseOfDraft : kCoarseMegapixels;
+}
+
 Result<std::vector<cv::Mat1b>> shownOn(const Ground& ground,
                                        const std::vector<rig::PosedImage>& images,
-                                       const std::vector<cv::Mat>& photographs, int threads,
-                                       Progress& progress, const std::stop_token& stop) {
+                                       const std::vector<cv::Mat>& photographs,
+                                       const CoarseOptions& coarsely_seen, Progress& progress,
+                                       const std::stop_token& stop) {
+  const int threads = coarsely_seen.threads;
   const double reach = rig::commonSight(images).radius;
   Eigen::AlignedBox3d bounds;
   bounds.min() << ground.extent.min(), -kSoughtBelow * reach;
@@ -80,7 +86,7 @@ Result<std::vector<cv::Mat1b>> shownOn(const Ground& ground,
   parallelFor(views.size(), threads, [&](std::size_t k) {
     const std::size_t i = k * step;
     stereo::View& view = views[k];
-    view.camera = coarsely(images[i]);
+    view.camera = coarsely(images[i], coarsely_seen);
     view.photograph = batch::reducedTo(photographs[i], view.camera.intrinsics.width,
                                        view.camera.intrinsics.height);
     if (ground.printed) view.mask = sightOf(bounds, view.camera);
@@ -98,7 +104,8 @@ Result<std::vector<cv::Mat1b>> shownOn(const Ground& ground,
   const mask::Gaps gaps = ground.printed ? mask::Gaps::Left : mask::Gaps::Filled;
   std::vector<cv::Mat1b> shown(images.size());
   parallelFor(images.size(), threads, [&](std::size_t i) {
-    shown[i] = mask::shownBy(coarse->cloud, heights, coarsely(images[i]), least, gaps);
+    shown[i] =
+        mask::shownBy(coarse->cloud, heights, coarsely(images[i], coarsely_seen), least, gaps);
   });
   return shown;
 }
@@ -106,22 +113,22 @@ Result<std::vector<cv::Mat1b>> shownOn(const Ground& ground,
 Result<mask::MaskResult> masksFromViews(const std::vector<rig::PosedImage>& images,
                                         const std::vector<cv::Mat>& photographs,
                                         const std::optional<Eigen::AlignedBox2d>& ground,
-                                        int threads, Progress& progress,
+                                        const CoarseOptions& coarse, Progress& progress,
                                         const std::stop_token& stop) {
   if (!ground) {
     mask::HullMaskOptions options;
-    options.threads = threads;
+    options.threads = coarse.threads;
     return mask::maskByHull(images, photographs, options, progress, stop);
   }
   PartProgress first(progress, 0, 2), second(progress, 1, 2);
   Result<std::vector<cv::Mat1b>> shown =
-      shownOn({*ground, {}, false}, images, photographs, threads, first, stop);
+      shownOn({*ground, {}, false}, images, photographs, coarse, first, stop);
   if (!shown) return shown.error();
   batch::Plate plane;
   plane.sheet = ground;
   plane.diameter_mm = ground->diagonal().norm();
   mask::PlateMaskOptions options;
-  options.threads = threads;
+  options.threads = coarse.threads;
   options.shown = std::move(*shown);
   return mask::maskByPlate(images, photographs, plane, {}, options, second, stop);
 }

@@ -125,7 +125,7 @@ int main(int argc, char** argv) {
     options.shown.clear();
     if (plate->sheet && !plate->round) {
       auto shown = pipeline::shownOn({*plate->sheet, options.bend, true}, images, photographs,
-                                     options.threads, quiet, {});
+                                     {options.threads}, quiet, {});
       if (shown) options.shown = std::move(*shown);
     }
     const auto result = mask::maskByPlate(images, photographs, *plate, empties, options, quiet, {});

@@ -52,7 +52,8 @@ TEST(ShownOnAPrintedSheet, IsSherdAndHardlyEverPaper) {
                                      cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION));
   }
   Notes notes;
-  const auto shown = shownOn({*plate->sheet, {}, true}, images, photographs, 2, notes, {});
+  const auto shown =
+      shownOn({*plate->sheet, {}, true}, images, photographs, {.threads = 2}, notes, {});
   ASSERT_TRUE(shown.has_value()) << shown.error().sentence();
   EXPECT_THAT(notes.lines, Not(IsEmpty()));
   EXPECT_THAT(notes.lines, Each(StartsWith("masks: ")));
@@ -75,6 +76,11 @@ TEST(ShownOnAPrintedSheet, IsSherdAndHardlyEverPaper) {
   EXPECT_GT(both / raised, 0.99);
   EXPECT_GT(both / sherd, 0.4);  // what lies along outlines and jumps of depth is left to the rest
   EXPECT_LT(wrong / ground, 0.001);
+}
+
+TEST(CoarseReconstruction, SeesHalfAsManyPixelsInADraft) {
+  EXPECT_EQ(coarseMegapixels(kUsualMegapixels), 0.5);
+  EXPECT_EQ(coarseMegapixels(kDraftMegapixels), 0.25);
 }
 
 }  // namespace

@@ -20,4 +20,11 @@ Result<void> checkViews(std::span<const rig::PosedImage> images,
   return {};
 }
 
+Error noSherdFound() {
+  return {ErrorCode::NotEnough,
+          message("No sherd was found on the plate; check that the photographs show sherds that "
+                  "stand out from the plate, or provide masks."),
+          {}};
+}
+
 }  // namespace ostraka::mask

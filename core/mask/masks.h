@@ -22,4 +22,6 @@ struct MaskResult {
 Result<void> checkViews(std::span<const rig::PosedImage> images,
                         std::span<const cv::Mat> photographs, const Message& too_few);
 
+Error noSherdFound();  ///< NotEnough: of a plate that looks bare
+
 }  // namespace ostraka::mask

@@ -52,8 +52,9 @@ Groups groupsOf(const ViewState& view) {
 }  // namespace
 
 Result<void> addNetwork(std::span<const cv::Mat> photographs, std::span<ViewState> views,
-                        int reduction, int threads, const std::stop_token& stop) {
-  const auto sharp = segmentation::sherdProbabilities(photographs, stop);
+                        int reduction, int threads, const std::function<void()>& looked,
+                        const std::stop_token& stop) {
+  const auto sharp = segmentation::sherdProbabilities(photographs, looked, stop);
   if (!sharp) return sharp.error();
   std::vector<segmentation::NetworkSample> samples;
   for (std::size_t i = 0; i < views.size(); ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <functional>
 #include <opencv2/core/mat.hpp>
 #include <span>
 #include <stop_token>
@@ -13,9 +14,11 @@ namespace ostraka::mask {
 /// Adds the odds of Ostraka's own network, with a weight that is learnt in these photographs
 /// (segmentation::NetworkOdds), to the views' log odds and to what the hull is carved from.
 /// photographs: CV_8UC3, one per view. Call it after the plate and the heights were weighed.
-/// reduction: as in hull::HullOptions. Errors: Cancelled, and those of sherdProbabilities.
+/// reduction: as in hull::HullOptions. looked: called after each photograph. Errors: Cancelled, and
+/// those of sherdProbabilities.
 Result<void> addNetwork(std::span<const cv::Mat> photographs, std::span<ViewState> views,
-                        int reduction, int threads, const std::stop_token& stop);
+                        int reduction, int threads, const std::function<void()>& looked,
+                        const std::stop_token& stop);
 
 /// Labels, scale bars, cards: numbers of the hull's groups that lie in the plate by their heights
 /// and of which the network takes less than a tenth for sherd in each photograph. None where it has

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <string>
 
 #include "base/median.h"
 #include "base/message.h"
 #include "base/parallel.h"
+#include "base/shared_progress.h"
 #include "ground/plate_picture.h"
 #include "ground/ring_agreement.h"
 #include "ground/sheet_picture.h"
@@ -50,64 +52,56 @@ class PlateMasker {
   Result<MaskResult> run(Progress& progress, const std::stop_token& stop) {
     std::map<int, std::vector<std::size_t>> by_camera;
     for (std::size_t i = 0; i < images_.size(); ++i) by_camera[images_[i].camera].push_back(i);
-    const auto total = static_cast<std::int64_t>(2 * images_.size() + 2);
-    std::int64_t done = 0;
+    const auto all = static_cast<std::int64_t>(images_.size());
+    steps_.emplace(progress, all * (kOnce + (plate_.sheet ? kAgain : 0)));
     if (plate_.sheet) {
       if (const Result<void> weighed = weighSheet(stop); !weighed) return weighed.error();
-      progress.report(done = static_cast<std::int64_t>(images_.size()), total);
     } else {
       for (const auto& [camera, members] : by_camera) {
         if (stop.stop_requested()) return Error::cancelled();
         weighCamera(camera, members, progress);
-        progress.report(done += static_cast<std::int64_t>(members.size()), total);
       }
     }
     weighStops(stop);
-    if (const auto added =
-            addNetwork(photographs_, views_, hull_.reduction, options_.threads, stop);
+    if (const auto added = addNetwork(
+            photographs_, views_, hull_.reduction, options_.threads,
+            [this] { steps_->count(kLook); }, stop);
         !added)
       return added.error();
-    if (!carve(stop)) return stop.stop_requested() ? Error::cancelled() : nothingFound();
-    progress.report(done += 2, total);
+    if (!carve(stop)) return stop.stop_requested() ? Error::cancelled() : noSherdFound();
     result_.masks.resize(images_.size());
-    const auto overViews = [&](void (PlateMasker::*work)(std::size_t)) {
+    const auto overViews = [&](void (PlateMasker::*work)(std::size_t), std::int64_t steps) {
       parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
         if (!stop.stop_requested()) (this->*work)(i);
+        steps_->count(steps);
       });
     };
-    overViews(&PlateMasker::showHull);
-    if (!stop.stop_requested() && dropFlatThings(progress)) overViews(&PlateMasker::showHull);
+    overViews(&PlateMasker::showHull, kShow);
+    if (!stop.stop_requested() && dropFlatThings(progress)) overViews(&PlateMasker::showHull, 0);
     shade_limits_ = learnShadeLimits(views_, hull_.reduction);
     for (ViewState& view : views_) limitInShade(shade_limits_, view);
     const bool lasting = plate_.sheet && still_light_;  // shadows are in the first hull, too
     if (!lasting) knowShadows(), trustHull();
     if (!stop.stop_requested() && !plate_.sheet) nameShadows(by_camera, progress);
-    overViews(&PlateMasker::askOthers);
+    overViews(&PlateMasker::askOthers, kAsk);
     if (!stop.stop_requested()) learnColours();
-    overViews(&PlateMasker::cutView);
+    steps_->count(all * (kLearn + (plate_.sheet && !lasting ? kAgain : 0)));
+    overViews(&PlateMasker::cutView, kCut);
     if (lasting && !stop.stop_requested()) {
       carveByMasks(stop);
-      overViews(&PlateMasker::showHull);
+      steps_->count(all * kCarve);
+      overViews(&PlateMasker::showHull, kShow);
       trustHull();
-      overViews(&PlateMasker::cutView);
+      overViews(&PlateMasker::cutView, kCut);
     }
     if (stop.stop_requested()) return Error::cancelled();
-    progress.report(total, total);
+    progress.report(1, 1);
     return std::move(result_);
   }
 
  private:
   // A ground of which nothing but a reconstruction tells.
   bool unprinted() const { return plate_.sheet && plate_.markers.empty(); }
-
-  static Error nothingFound() {
-    return {
-        ErrorCode::NotEnough,
-        message(
-            "No sherd was found on the plate; check that the photographs show sherds that stand "
-            "out from the plate, or provide masks."),
-        {}};
-  }
 
   void weighCamera(int camera, const std::vector<std::size_t>& members, Progress& progress) {
     const auto grid = ground::gridOver(plate_, ground::millimetresPerPixel(images_[members[0]]));
@@ -132,6 +126,7 @@ class PlateMasker {
       view.hull = reduced(members[k], evidence);
       cv::resize(inside, view.plate, view.hull.clear.size(), 0, 0, cv::INTER_NEAREST);
       looks[k] = {};
+      steps_->count(kWeigh);
     });
   }
 
@@ -188,6 +183,7 @@ class PlateMasker {
       view.log_odds = evidence.log_odds;
       view.hull = reduced(i, evidence);
       cv::resize(certain, view.plate, view.hull.clear.size(), 0, 0, cv::INTER_NEAREST);
+      steps_->count(kWeigh);
     });
     return stop.stop_requested() ? Result<void>(Error::cancelled()) : Result<void>();
   }
@@ -225,6 +221,7 @@ class PlateMasker {
           heights[k].setTo(0, ~known);
         }
         addHeights(view, heights[k]);
+        steps_->count(kSweep);
       }
     });
   }
@@ -307,6 +304,7 @@ class PlateMasker {
       if (unprinted()) hull::dropGroupsAtSides(space_, voxels_);
       if (!reachesTop()) break;
     }
+    steps_->count(static_cast<std::int64_t>(views.size()) * kCarve);
     return groups > 0;
   }
 
@@ -474,8 +472,9 @@ class PlateMasker {
   std::vector<unsigned char> voxels_;
   hull::HullOdds hull_odds_;
   ShadeLimits shade_limits_;
-  bool still_light_ = true;   ///< on a sheet; at a stop of a rig it is
-  bool masks_known_ = false;  ///< the hull is that of the masks so far
+  bool still_light_ = true;              ///< on a sheet; at a stop of a rig it is
+  bool masks_known_ = false;             ///< the hull is that of the masks so far
+  std::optional<SharedProgress> steps_;  ///< of run
   MaskResult result_;
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <opencv2/core/mat.hpp>
 
 #include "hull/hull.h"
@@ -18,6 +19,14 @@ struct ViewState {
   cv::Mat1b allowed;      ///< where a sherd may be
   cv::Mat1b plate;        ///< reduced: the plate inside the markers
 };
+
+/// What maskByPlate's passes over a photograph take, as parts of one another: against the bare
+/// plate, on planes, by the network, the hull carved and shown, other views, colours, the outline.
+inline constexpr std::int64_t kWeigh = 4, kSweep = 1, kLook = 4, kCarve = 1, kShow = 1, kAsk = 1,
+                              kLearn = 1, kCut = 3;
+inline constexpr std::int64_t kOnce =
+    kWeigh + kSweep + kLook + kCarve + kShow + kAsk + kLearn + kCut;
+inline constexpr std::int64_t kAgain = kCarve + kShow + kCut;  ///< where shadows last on a sheet
 
 /// Share of each cell that looks like a sherd, 0..1; so many pixels are a cell's side.
 cv::Mat1f insideOf(const cv::Mat1f& log_odds, int reduction);

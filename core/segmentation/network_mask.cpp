@@ -237,29 +237,31 @@ Result<cv::Mat1b> Network::mask(const cv::Mat& photograph) {
 }
 
 Result<std::vector<cv::Mat1b>> sherdProbabilities(std::span<const cv::Mat> photographs,
+                                                  const std::function<void()>& looked,
                                                   const std::stop_token& stop) {
   const auto shipped = [](int longer_px) {
     return Network(std::string(shippedNetwork()), "sherds.onnx", longer_px);
   };
-  std::vector<cv::Mat1f> coarse;
-  Network whole = shipped(kFreeInput_px);
-  for (const cv::Mat& photograph : photographs) {
-    if (stop.stop_requested()) return Error::cancelled();
-    Result<cv::Mat1f> seen = whole.probability(photograph);
-    if (!seen) return seen.error();
-    coarse.push_back(std::move(*seen));
-  }
-  whole = shipped(kFineInput_px);
-  std::vector<cv::Mat1b> found;
+  std::vector<cv::Mat1b> found(photographs.size());
+  std::vector<cv::Mat1f> coarse(photographs.size());
+  Network network = shipped(kFreeInput_px);
   for (std::size_t i = 0; i < photographs.size(); ++i) {
     if (stop.stop_requested()) return Error::cancelled();
-    if (!looksTwice(photographs[i].size())) {
-      found.push_back(inBytes(coarse[i]));
-      continue;
-    }
-    const Result<cv::Mat1f> fine = whole.probability(photographs[i]);
+    Result<cv::Mat1f> seen = network.probability(photographs[i]);
+    if (!seen) return seen.error();
+    coarse[i] = std::move(*seen);
+    if (looksTwice(photographs[i].size())) continue;
+    found[i] = inBytes(coarse[i]);
+    looked();
+  }
+  network = shipped(kFineInput_px);
+  for (std::size_t i = 0; i < photographs.size(); ++i) {
+    if (stop.stop_requested()) return Error::cancelled();
+    if (!looksTwice(photographs[i].size())) continue;
+    const Result<cv::Mat1f> fine = network.probability(photographs[i]);
     if (!fine) return fine.error();
-    found.push_back(inBytes(sharperAlongOutlines(coarse[i], *fine)));
+    found[i] = inBytes(sharperAlongOutlines(coarse[i], *fine));
+    looked();
   }
   return found;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <span>
@@ -50,9 +51,10 @@ class Network {
 };
 
 /// Probability of sherd, 0..255, by Ostraka's own network (shippedNetwork) in each photograph
-/// (CV_8UC3, BGR), in the size that the network gives: at most 800 on the longer side.
-/// Errors: Cancelled, UnusableInput.
+/// (CV_8UC3, BGR), in the size that the network gives: at most 800 on the longer side. looked:
+/// called as soon as one is known. Errors: Cancelled, UnusableInput.
 Result<std::vector<cv::Mat1b>> sherdProbabilities(std::span<const cv::Mat> photographs,
+                                                  const std::function<void()>& looked,
                                                   const std::stop_token& stop);
 /// Whether it also looks at a finer picture, for sharper outlines: not where a photograph of this
 /// size, as one of a draft, gives no finer one.

@@ -1,10 +1,8 @@
 #pragma once
-#include <atomic>
 #include <mutex>
-#include <thread>
 
-#include "base/progress.h"
 #include "base/result.h"
+#include "base/shared_progress.h"
 
 namespace ostraka::virtualrig {
 
@@ -12,16 +10,15 @@ namespace ostraka::virtualrig {
 /// it.
 class ShotReport {
  public:
-  ShotReport(Progress& progress, std::int64_t total) : progress_(progress), total_(total) {
-    progress_.report(0, total_);  // the first takes long
+  ShotReport(Progress& progress, std::int64_t total) : written_(progress, total) {
+    progress.report(0, total);  // the first takes long
   }
   void done(const Result<void>& result) {
     if (!result) {
       const std::lock_guard lock(guard_);
       if (error_.what.empty()) error_ = result.error();
     }
-    const std::int64_t now = ++done_;
-    if (std::this_thread::get_id() == owner_) progress_.report(now, total_);
+    written_.count();
   }
   bool failed() const {
     const std::lock_guard lock(guard_);
@@ -30,10 +27,7 @@ class ShotReport {
   Result<void> result() const { return failed() ? Result<void>(error_) : Result<void>(); }
 
  private:
-  Progress& progress_;
-  std::int64_t total_;
-  std::atomic<std::int64_t> done_{0};
-  std::thread::id owner_ = std::this_thread::get_id();
+  SharedProgress written_;
   mutable std::mutex guard_;
   Error error_;
 };

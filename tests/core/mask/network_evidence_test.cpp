@@ -137,7 +137,9 @@ TEST(AddNetwork, ChangesNothingWhereTheNetworkHasNoNotionOfThings) {
   const std::vector<cv::Mat> photographs(4, cv::Mat(64, 64, CV_8UC3, cv::Scalar(225, 230, 235)));
   std::vector<ViewState> views;
   for (int i = 0; i < 4; ++i) views.push_back(viewOfPaper());
-  ASSERT_TRUE(addNetwork(photographs, views, 4, 2, {}).has_value());
+  int looked = 0;
+  ASSERT_TRUE(addNetwork(photographs, views, 4, 2, [&] { ++looked; }, {}).has_value());
+  EXPECT_EQ(looked, 4);
   const ViewState before = viewOfPaper();
   for (const ViewState& view : views) {
     EXPECT_EQ(view.probability.size(), view.hull.clear.size());
@@ -151,7 +153,8 @@ TEST(AddNetwork, CanBeCancelled) {
   std::vector<ViewState> views{viewOfPaper()};
   std::stop_source source;
   source.request_stop();
-  const Result<void> added = addNetwork(photographs, views, 4, 1, source.get_token());
+  const Result<void> added = addNetwork(
+      photographs, views, 4, 1, [] {}, source.get_token());
   ASSERT_FALSE(added.has_value());
   EXPECT_EQ(added.error().code, ErrorCode::Cancelled);
 }

@@ -131,14 +131,29 @@ TEST_P(PlateMask, FindsTheBoxDespiteShadowAndFalloff) {
 
 INSTANTIATE_TEST_SUITE_P(DarkAndLight, PlateMask, testing::Values(45.0, 90.0, 150.0));
 
+// Each photograph of each pass moves the bar.
+struct SmallSteps final : Progress {
+  void report(std::int64_t done, std::int64_t total) override {
+    const double now = static_cast<double>(done) / static_cast<double>(total);
+    EXPECT_GE(now, before);
+    largest = std::max(largest, now - before);
+    before = now;
+  }
+  void note(NoteLevel, const Message&) override {}
+  double before = 0, largest = 0;
+};
+
 TEST(PlateMasks, AreTheSameForAnyNumberOfThreads) {
   Scene scene(45);
   for (int stop = 0; stop < 3; ++stop) scene.addShot(stop, 45, 1, 1.05);  // so that heights count
   QuietProgress quiet;
   PlateMaskOptions options;
+  SmallSteps steps;
   const auto one =
-      maskByPlate(scene.images, scene.photographs, scene.plate, {}, options, quiet, {});
+      maskByPlate(scene.images, scene.photographs, scene.plate, {}, options, steps, {});
   ASSERT_TRUE(one.has_value());
+  EXPECT_LT(steps.largest, 0.1);
+  EXPECT_EQ(steps.before, 1);
   for (const int threads : {3, 16}) {
     options.threads = threads;
     const auto many =

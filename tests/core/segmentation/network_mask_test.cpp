@@ -185,7 +185,7 @@ TEST(ShippedNetwork, FindsNothingOnBarePaper) {
   std::vector<cv::Mat> bare;
   for (const cv::Size size : {cv::Size(1600, 1200), cv::Size(900, 1600), cv::Size(200, 60)})
     bare.emplace_back(size, CV_8UC3, cv::Scalar(225, 230, 235));
-  const auto found = sherdProbabilities(bare, {});
+  const auto found = sherdProbabilities(bare, [] {}, {});
   ASSERT_TRUE(found.has_value()) << found.error().sentence();
   ASSERT_EQ(found->size(), 3u);
   for (const cv::Mat1b& of : *found) {
@@ -203,15 +203,15 @@ TEST(ShippedNetwork, LooksOnceAtPhotographsThatGiveNoFinerPicture) {
 
 TEST(ShippedNetwork, TakesColourPhotographsOnly) {
   const std::vector<cv::Mat> grey{cv::Mat(60, 80, CV_8UC1, cv::Scalar(0))}, none{cv::Mat()};
-  EXPECT_FALSE(sherdProbabilities(grey, {}).has_value());
-  EXPECT_FALSE(sherdProbabilities(none, {}).has_value());
+  EXPECT_FALSE(sherdProbabilities(grey, [] {}, {}).has_value());
+  EXPECT_FALSE(sherdProbabilities(none, [] {}, {}).has_value());
 }
 
 TEST(ShippedNetwork, StopsBetweenPhotographs) {
   std::stop_source stop;
   stop.request_stop();
   const std::vector<cv::Mat> one{halves(64, 32)};
-  const auto found = sherdProbabilities(one, stop.get_token());
+  const auto found = sherdProbabilities(one, [] {}, stop.get_token());
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().code, ErrorCode::Cancelled);
 }

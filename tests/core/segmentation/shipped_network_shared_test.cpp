@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 // Of photographs and their masks, IoU in the mean.
 double iouOf(const std::vector<cv::Mat>& photographs, const std::vector<cv::Mat>& truths) {
-  const auto probabilities = sherdProbabilities(photographs, {});
+  const auto probabilities = sherdProbabilities(photographs, [] {}, {});
   if (!probabilities) return 0;
   double sum = 0;
   for (std::size_t i = 0; i < truths.size(); ++i) {

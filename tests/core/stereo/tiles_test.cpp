@@ -38,8 +38,8 @@ std::vector<Tile> tilesOfBlocks(double most_pixels) {
   const Hull hull = twoBlocks();
   const Frame frame = fromAbove();
   const std::vector<const Frame*> frames(3, &frame);
-  const std::vector<cv::Size> sizes(3, cv::Size(1600, 1600));
-  return tilesOf(hull, frames, 4, sizes, most_pixels);
+  const std::vector<cv::Rect> wholes(3, cv::Rect(0, 0, 1600, 1600));
+  return tilesOf(hull, frames, 4, wholes, most_pixels);
 }
 
 TEST(Tiles, OneHoldsAllWhereItsPixelsAreFewEnough) {

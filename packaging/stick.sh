@@ -42,7 +42,11 @@ if [ ! -d "$root" ]; then
   done
   [ -z "$deb" ] || options+=(--include="$deb"
     --hook-dir=/usr/share/mmdebstrap/hooks/file-mirror-automount)
+  # shellcheck disable=SC2016  # mmdebstrap names the folder
   mmdebstrap --variant=minbase --mode=root --components=main,non-free-firmware \
+    --essential-hook='mkdir -p "$1/etc/initramfs-tools/conf.d" "$1/usr/share/initramfs-tools/modules.d"' \
+    --essential-hook="copy-in '$here/modules' /usr/share/initramfs-tools/modules.d" \
+    --essential-hook='echo MODULES=list > "$1/etc/initramfs-tools/conf.d/stick"' \
     --include="$packages" "${options[@]}" bookworm "$root"
 fi
 program=/usr/bin/ostraka

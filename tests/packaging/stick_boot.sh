@@ -70,12 +70,12 @@ echo lab >&3
 until_line 'lab@ostraka'
 # Words that the echo of what is typed does not have.
 run() { echo "$1; echo \"$2=\"\$?" >&3; until_line "$2=[0-9]"; }
-run 'findmnt -n /projects; df -h /projects; systemctl --failed --no-pager; lpinfo -m | wc -l; fc-list | wc -l' looked
+run 'findmnt -n /projects; df -h /projects; systemctl --failed --no-pager; /usr/sbin/lpinfo -m | wc -l; fc-list | wc -l' looked
 run 'until pgrep -x ostraka; do sleep 2; done; sleep 60; systemd-analyze' window
 screenshot window
 run 'ostraka --version; ostraka doctor' doctor
 run 'ostraka rig simulate --output /projects/batch --seed 7 --sherds 2 --width 640 --stops 4' simulated
-run 'ostraka process /projects/batch --output /projects/sherds --draft; ls /projects/sherds/sherds/*' processed
+run 'ostraka process /projects/batch --output /projects/sherds --draft' processed
 screenshot after
 echo 'sudo systemctl poweroff' >&3
 for _ in $(seq 300); do
@@ -83,5 +83,6 @@ for _ in $(seq 300); do
   sleep 2
 done
 ! kill -0 "$machine" 2> /dev/null || wrong "it does not switch off"
-grep -qa 'processed=[03]' "$output/line.log" || true
+grep -qa 'simulated=0' "$output/line.log" || wrong "no batch was simulated"
+grep -qa 'processed=[01]' "$output/line.log" || wrong "the batch was not processed"  # 1: to be reviewed
 echo "stick_boot: all ran by $firmware; look at $output/window.png"

@@ -244,14 +244,10 @@ void MainWindow::showSettings() {
 
 void MainWindow::showManual() {
   const QWidget* shown = all_->currentWidget();
-  QString page = QStringLiteral("index");
-  if (shown == start_area_)
-    page = QStringLiteral("start");
-  else if (shown == settings_area_)
-    page = QStringLiteral("settings");
-  else if (shown != help_)
-    page = work_->shownName();
-  help_->showManual(page);
+  help_->showManual(shown == start_area_      ? QStringLiteral("start")
+                    : shown == settings_area_ ? QStringLiteral("settings")
+                    : shown == help_          ? QStringLiteral("index")
+                                              : work_->shownName());
   all_->setCurrentWidget(help_);
 }
 

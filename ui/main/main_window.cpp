@@ -51,7 +51,6 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   connectParts();
   addWindowActions(*this, *undo_, *work_->sidebar(), *work_->header());
   applySettings(settings_);
-  settings_page_->setSettings(settings_);
   start_->setRecent(settings_.recent, settings_.titles);
   connect(queue_, &BatchQueue::batchComputed, care_, &ProjectCare::measureRoom);
   connect(care_, &ProjectCare::roomMeasured, work_->header(), &HeaderLine::setRoom);
@@ -148,7 +147,6 @@ void MainWindow::takeProject(std::shared_ptr<upkeep::Project> project) {
 }
 
 void MainWindow::showProject() {
-  const std::filesystem::path folder = session()->folder();
   const QString read_only = session()->whyReadOnly();
   session()->setInitials(settings_.initials);
   undo_->addStack(&session()->undo());
@@ -168,7 +166,7 @@ void MainWindow::showProject() {
   if (!read_only.isEmpty()) work_->footer()->say(read_only);
   if (const QString kept = keptWords(session()->project().keptFiles()); !kept.isEmpty())
     work_->footer()->say(kept);
-  care_->begin(folder, !read_only.isEmpty());
+  care_->begin(session()->folder(), !read_only.isEmpty());
 }
 
 void MainWindow::showTitle() {
@@ -243,11 +241,11 @@ void MainWindow::showSettings() {
 }
 
 void MainWindow::showManual() {
-  const QWidget* shown = all_->currentWidget();
-  help_->showManual(shown == start_area_      ? QStringLiteral("start")
-                    : shown == settings_area_ ? QStringLiteral("settings")
-                    : shown == help_          ? QStringLiteral("index")
-                                              : work_->shownName());
+  const QWidget* at = all_->currentWidget();
+  help_->showManual(at == start_area_      ? QStringLiteral("start")
+                    : at == settings_area_ ? QStringLiteral("settings")
+                    : at == help_          ? QStringLiteral("index")
+                                           : work_->shownName());
   all_->setCurrentWidget(help_);
 }
 

@@ -16,6 +16,7 @@
 #include "files/files.h"
 #include "files/folder_lock.h"
 #include "files/open_folder.h"
+#include "files/output_place.h"
 #include "intake/compute_batch.h"
 #include "intake/results_owner.h"
 #include "review/review.h"
@@ -30,12 +31,15 @@ using records::BatchState;
 const std::string kIncoming = "cluster/incoming/";
 constexpr std::size_t kNamedOthers = 6;
 
-Result<void> moved(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::rename(from, to, error);
-  if (error) return cannotWrite(to, error.value());
-  syncFolder(to.parent_path());
-  return {};
+// Within the project, and through no link.
+Result<void> moved(const upkeep::Project& project, const fs::path& from, const fs::path& to) {
+  const Result<OpenFolder> own = OpenFolder::open(project.folder());
+  if (!own) return own.error();
+  const auto source = ContainedPath::parse(from.lexically_relative(project.folder()).string()),
+             target = ContainedPath::parse(to.lexically_relative(project.folder()).string());
+  if (!source) return source.error();
+  if (!target) return target.error();
+  return own->move(*source, *target);
 }
 
 Result<void> checkNames(const fs::path& folder) {
@@ -78,6 +82,7 @@ fs::path replacedOf(const upkeep::Project& project, const std::string& batch) {
 }
 
 Result<void> removed(const fs::path& folder) {
+  if (const Result<void> own = checkNoLinkInProject(folder); !own) return own;
   std::error_code error;
   fs::remove_all(folder, error);
   return error ? Result<void>(cannotWrite(folder, error.value())) : Result<void>();
@@ -102,13 +107,14 @@ Result<void> putBack(const upkeep::Project& project, const std::string& batch) {
   const fs::path replaced = replacedOf(project, batch), results = project.resultsFolder(batch),
                  incoming = project.folder() / (kIncoming + batch);
   if (!fs::exists(replaced, error)) return {};
+  for (const fs::path& own : {replaced, results})
+    if (const Result<void> good = checkNoLinkInProject(own); !good) return good;
   if (fs::exists(results, error)) {
     if (const Result<void> kept = keepPeoplesFiles(results, replaced); !kept) return kept;
     if (const Result<void> gone = removed(incoming); !gone) return gone;
-    if (const Result<void> made = makeFolder(incoming.parent_path()); !made) return made;
-    if (const Result<void> aside = moved(results, incoming); !aside) return aside;
+    if (const Result<void> aside = moved(project, results, incoming); !aside) return aside;
   }
-  return moved(replaced, results);
+  return moved(project, replaced, results);
 }
 
 // What was entered before an error stays.
@@ -179,8 +185,9 @@ Result<void> takePlace(const upkeep::Project& project, const std::string& batch,
   if (const Result<void> good = checkNames(folder); !good) return good;
   if (const Result<void> left = leaveOthers(batch, folder, progress); !left) return left;
   const fs::path results = project.resultsFolder(batch), replaced = replacedOf(project, batch);
+  if (const Result<void> own = checkNoLinkInProject(results); !own) return own;
   std::error_code error;
-  if (!fs::exists(results, error)) return moved(folder, results);
+  if (!fs::exists(results, error)) return moved(project, folder, results);
   std::optional<FolderLock> held;
   if (fs::exists(results / "work", error)) {
     Result<FolderLock> taken = FolderLock::take(results / "work");
@@ -188,10 +195,9 @@ Result<void> takePlace(const upkeep::Project& project, const std::string& batch,
     held.emplace(std::move(*taken));
   }
   if (const Result<void> kept = keepPeoplesFiles(results, folder); !kept) return kept;
-  if (const Result<void> made = makeFolder(replaced.parent_path()); !made) return made;
   if (const Result<void> gone = removed(replaced); !gone) return gone;
-  if (const Result<void> aside = moved(results, replaced); !aside) return aside;
-  return moved(folder, results);
+  if (const Result<void> aside = moved(project, results, replaced); !aside) return aside;
+  return moved(project, folder, results);
 }
 
 Result<Collected> collect(upkeep::Project& project, const Access& access, Progress& progress,

@@ -24,8 +24,13 @@ state=cluster/state/$batch
 report=results/$batch/report.json
 why=none
 child=
+# What a link leads to may belong to others.
+for folder in cluster cluster/state cluster/log; do
+  [ ! -L "$folder" ] || { echo "$folder is a link; replace it with a folder." >&2; exit 73; }
+done
 note() { printf '%-199.199s\n' "$job $*"; }
-note began > "$state.new" && mv -f "$state.new" "$state" || exit 74
+rm -f "$state.new"
+note began > "$state.new" && mv -f -T "$state.new" "$state" || exit 74
 trap 'why=time; [ -z "$child" ] || kill -TERM -- -"$child"' USR1
 trap 'why=killed; [ -z "$child" ] || kill -TERM -- -"$child"' TERM
 rig=()
@@ -51,6 +56,7 @@ case $status in
   0 | 1 | 3) [ ! -s "$report" ] || [ "$state" -nt "$report" ] || whole=yes ;;
 esac
 if [ $whole = no ]; then
+  rm -f "results/$batch.room"
   head -c 8388608 /dev/zero > "results/$batch.room" 2> /dev/null || room=no
   rm -f "results/$batch.room"
 fi

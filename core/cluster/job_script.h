@@ -26,7 +26,8 @@ constexpr int kMostMemory_mb = 10'000'000, kMostMinutes = 100'000;
 
 /// A script for sbatch, to be submitted in a folder that is laid out as a project: the n-th task
 /// runs `process` on the n-th batch, from batches/ to results/, and says in cluster/state/BATCH
-/// when it began and how it ended (queue_text.h). job: the array's name in Slurm.
+/// when it began and how it ended (queue_text.h). Nothing is written through a link. job: the
+/// array's name in Slurm.
 std::string jobScript(const std::string& job, const std::vector<std::string>& batches,
                       const Ask& ask);
 

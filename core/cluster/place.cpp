@@ -7,6 +7,7 @@
 #include "colmap/colmap_program.h"
 #include "files/files.h"
 #include "files/folder_lock.h"
+#include "files/output_place.h"
 #include "files/scratch_folder.h"
 
 namespace ostraka::cluster {
@@ -18,9 +19,12 @@ constexpr std::size_t kMostOutput = std::size_t{64} << 20, kShownOutput = 400;
 // It never asks: what runs beside a window or in a script has nobody who answers.
 constexpr const char* kNeverAsk = "BatchMode=yes";
 constexpr const char* kSoon = "ConnectTimeout=30";
-// Prints the owner of the folder, which is the first who asks. The text of a link is written whole
-// or not at all, also on a full disk, and never over another.
+// Prints which folder is a link, else makes the folders and prints the owner of the whole, which is
+// the first who asks. The text of a link is written whole or not at all, also on a full disk, and
+// never over another.
 constexpr const char* kClaim =
+    "for f in cluster cluster/state cluster/log; do [ ! -L $f ] || { echo \"link: $f.\"; exit; }; "
+    "done; mkdir -p batches results cluster/state cluster/log || exit; "
     "[ -e catalogue.sqlite ] || [ -L cluster/owner ] || ln -s \"$1\" cluster/owner || exit; "
     "echo \"owner: $(readlink cluster/owner)\"";
 
@@ -157,19 +161,21 @@ Result<void> Place::copy(std::vector<std::string> arguments, const std::stop_tok
 }
 
 Result<void> Place::prepare(const std::string& owner, const std::stop_token& stop) const {
-  const std::vector<std::string> folders{"batches", "results", "cluster/state", "cluster/log"};
-  std::string command = "mkdir -p";
-  for (const std::string& folder : folders) {
+  for (const char* folder : {"batches", "results", "cluster/state", "cluster/log"})
     if (const Result<void> made = makeFolder(project_ / folder); !made) return made;
-    command += " " + quoted((fs::path(folder_) / folder).string());
-  }
   if (!isRemote()) return {};
-  const Result<std::string> made =
-      runHere("ssh", {"-o", kNeverAsk, "-o", kSoon, host_, command}, "mkdir", stop);
+  const Result<std::string> made = runHere(
+      "ssh", {"-o", kNeverAsk, "-o", kSoon, host_, "mkdir -p " + quoted(folder_)}, "mkdir", stop);
   if (!made) return made.error();
   const Result<std::string> told = run({"sh", "-c", kClaim, "sh", owner}, stop);
   if (!told) return told.error();
   if (told->find("owner: " + owner) != std::string::npos) return {};
+  for (const char* folder : {"cluster", "cluster/state", "cluster/log"})
+    if (told->find("link: " + std::string(folder) + ".") != std::string::npos)
+      return Error::unusable(
+          message("A link or a file has taken the place of a folder, or a link that of a file; "
+                  "replace it with the folder or the file itself."),
+          host_ + ":" + (fs::path(folder_) / folder).string());
   return Error::unusable(
       message("This folder on the cluster belongs to another project, to another copy of this one, "
               "or to this one before it was moved; nothing was sent. Name another folder with "
@@ -194,14 +200,9 @@ Result<void> Place::fetch(const std::string& path, const std::string& to, int mo
                           const std::vector<std::string>& but, const std::stop_token& stop) const {
   if (!isRemote()) return {};
   const fs::path here = project_ / to;
+  if (const Result<void> own = checkNoLinkInProject(here); !own)
+    return Error{ErrorCode::CannotWrite, own.error().what, own.error().where};
   if (const Result<void> made = makeFolder(here); !made) return made;
-  std::error_code failed;
-  if (fs::canonical(here, failed) != here)
-    return Error{
-        ErrorCode::CannotWrite,
-        message("A link or a file has taken the place of a folder, or a link that of a file; "
-                "replace it with the folder or the file itself."),
-        here.string()};
   std::vector<std::string> arguments{"--delete", "--no-links"};
   if (most_mb > 0) arguments.push_back("--max-size=" + std::to_string(most_mb) + "m");
   for (const std::string& name : but) arguments.push_back("--exclude=/" + name);

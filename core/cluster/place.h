@@ -28,7 +28,7 @@ class Place {
   /// Creates the folders that jobs need if they are missing. A folder on another computer belongs
   /// to the first owner who prepares it (FOLDER/cluster/owner): what send() puts there replaces
   /// what lies there. Errors: those of run; UnusableInput for a folder that is another's, or a
-  /// project.
+  /// project, and for a link in the place of one that jobs write to.
   Result<void> prepare(const std::string& owner, const std::stop_token& stop) const;
   /// Copies files and folders of the project, such as "batches/B0031", to the other computer; files
   /// with the same checksum are skipped, and files no longer in such a folder are removed there.

@@ -8,6 +8,7 @@
 #include "files/contained_path.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
+#include "upkeep/file_check.h"
 
 namespace ostraka::cluster {
 namespace {
@@ -41,6 +42,7 @@ fs::path clusterFolder(const fs::path& project) {
 }
 
 Result<Tasks> readTasks(const fs::path& project) {
+  if (const Result<void> own = upkeep::checkNoLinkInCluster(project); !own) return own.error();
   Tasks tasks;
   const fs::path file = tasksFile(project);
   std::error_code failed;

@@ -30,7 +30,8 @@ struct Tasks {
   bool anyUncollected() const;
 };
 std::filesystem::path clusterFolder(const std::filesystem::path& project);
-/// Empty where there is none. Errors: UnusableInput.
+/// Empty where there is none. Every command on the cluster begins with it. Error: UnusableInput,
+/// also for a link in that folder (upkeep::checkNoLinkInCluster).
 Result<Tasks> readTasks(const std::filesystem::path& project);
 Result<void> writeTasks(const std::filesystem::path& project, const Tasks& tasks);
 

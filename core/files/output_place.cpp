@@ -138,8 +138,11 @@ Result<void> checkNoLinkedFolder(const fs::path& folder, std::span<const std::st
     if (!own.is_directory(failed)) continue;
     for (fs::recursive_directory_iterator at(own.path(), failed), end; !failed && at != end;
          at.increment(failed))
-      if (at->is_symlink(failed) && at->is_directory(failed)) return refused(at->path());
-    if (failed)
+      if (at->is_symlink(failed) &&
+          (which == LinkedFolders::AndLinksToFiles || at->is_directory(failed)))
+        return refused(at->path());
+    // What another process removes meanwhile is no link.
+    if (failed && failed != std::errc::no_such_file_or_directory)
       return Error::unusable(
           message("This folder cannot be read (%1); nothing was read.", failed.message()),
           own.path().string());

@@ -23,11 +23,11 @@ Result<void> checkOutputFile(const std::filesystem::path& file,
                              const std::vector<std::string>& endings,
                              const std::vector<std::filesystem::path>& inputs = {});
 
-enum class LinkedFolders { OfTheseNames, AndBelow };
+enum class LinkedFolders { OfTheseNames, AndBelow, AndLinksToFiles };
 /// Rejects links that have taken the place of folders that the program fills and empties: what they
 /// lead to may belong to others. names: relative paths of those folders, which need not exist yet.
-/// Links to files below them are left to the writers, which replace them. Error: UnusableInput,
-/// which names the link.
+/// Links to files below them are left to the writers, which replace them, unless these are programs
+/// that follow links. Error: UnusableInput, which names the link.
 Result<void> checkNoLinkedFolder(const std::filesystem::path& folder,
                                  std::span<const std::string_view> names, LinkedFolders which);
 

@@ -6,6 +6,7 @@
 #include "base/message.h"
 #include "catalogue/file_places.h"
 #include "files/open_folder.h"
+#include "files/output_place.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
 #include "store/file_header.h"
@@ -182,6 +183,11 @@ Result<void> checkPaths(const catalogue::Catalogue& catalogue) {
             number);
     }
   });
+}
+
+Result<void> checkNoLinkInCluster(const fs::path& project) {
+  constexpr std::string_view kNames[] = {"cluster"};
+  return checkNoLinkedFolder(project, kNames, LinkedFolders::AndLinksToFiles);
 }
 
 }  // namespace ostraka::upkeep

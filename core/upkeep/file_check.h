@@ -60,5 +60,9 @@ Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue,
 /// That every path in the catalogue stays within the project, and so do the folders that are made,
 /// emptied and removed by the numbers of batches: a catalogue from elsewhere may contain anything.
 Result<void> checkPaths(const catalogue::Catalogue& catalogue);
+/// That neither the project's cluster/ nor anything below it is a link: jobs write there, results
+/// are moved and removed there, and what a link leads to may belong to others. Error:
+/// UnusableInput, which names the link.
+Result<void> checkNoLinkInCluster(const std::filesystem::path& project);
 
 }  // namespace ostraka::upkeep

@@ -179,6 +179,7 @@ Result<Project> Project::open(const fs::path& folder, const catalogue::Catalogue
   if (!catalogue) return catalogue.error();
   // Once for all connections: those of other threads come later, and read it for each sherd.
   if (const Result<void> inside = checkPaths(*catalogue); !inside) return inside.error();
+  if (const Result<void> own = checkNoLinkInCluster(folder); !own) return own.error();
   Project project(fs::absolute(folder), std::move(*catalogue));
   if (project.catalogue().readOnly()) return project;
   for (const fs::path& place : {folder, folder / "backups"})

@@ -115,6 +115,36 @@ TEST_F(Collect, ResultsThatCannotBeUsedAreNamedAndComputedAgain) {
   EXPECT_EQ(sherdsOf(two), 3u);
 }
 
+// A project may come from a stranger: the results that were replaced are removed.
+TEST_F(Collect, NothingIsRemovedThroughALink) {
+  const store::BatchRow one = queuedBatch();
+  ASSERT_TRUE(submitAll());
+  runTasks();
+  ASSERT_TRUE(catalogue::Batches(catalogue()).setState(one, records::BatchState::Front, anna));
+  const fs::path elsewhere = folder_.path() / "elsewhere",
+                 replaced = clusterFolder(project_->folder()) / "replaced";
+  fs::create_directories(elsewhere / "B0001");
+  put(elsewhere / "B0001/thesis.txt", "mine");
+  const auto refuse = [&](const fs::path& link, const fs::path& to) {
+    fs::create_directories(link.parent_path());
+    fs::create_symlink(to, link);
+    const Result<Collected> refused = collect(*project_, {}, quiet, {});
+    ASSERT_FALSE(refused) << link;
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(refused.error().where, link.string());
+    const Result<upkeep::Project> opened = upkeep::Project::open(project_->folder());
+    ASSERT_FALSE(opened) << link;
+    EXPECT_EQ(opened.error().where, link.string());
+    EXPECT_EQ(textOf(elsewhere / "B0001/thesis.txt"), "mine");
+    fs::remove(link);
+  };
+  refuse(replaced, elsewhere);
+  refuse(replaced / "B0001", elsewhere / "B0001");
+  refuse(clusterFolder(project_->folder()) / "state/B0001.new", elsewhere / "B0001/thesis.txt");
+  EXPECT_TRUE(collectAll().batches.empty());
+  EXPECT_EQ(stateOfBatch("B0001").state, TaskState::Collected);
+}
+
 // What lies on the other side of the line is a folder of this computer, reached by a false ssh.
 class CollectFromAfar : public Collect {
  protected:
@@ -276,6 +306,21 @@ TEST_F(CollectFromAfar, DecisionsBetweenAKillAndTheNextCollectionStay) {
   EXPECT_FALSE(fs::exists(replaced));
 }
 
+// Put there after the command had looked.
+TEST_F(CollectFromAfar, NoFolderIsMadeThroughALink) {
+  if (!hasRsync()) GTEST_SKIP() << "rsync is not installed";
+  queuedBatch();
+  const fs::path elsewhere = folder_.path() / "elsewhere";
+  fs::create_directories(elsewhere);
+  fs::create_directories(clusterFolder(project_->folder()));
+  fs::create_directory_symlink(elsewhere, clusterFolder(project_->folder()) / "incoming");
+  const Place place = catalogue::valueIn(Place::of(project_->folder(), submitting.access.host));
+  const Result<void> fetched = place.fetch("results/B0001", "cluster/incoming/B0001", 0, {}, {});
+  ASSERT_FALSE(fetched);
+  EXPECT_EQ(fetched.error().code, ErrorCode::CannotWrite);
+  EXPECT_TRUE(fs::is_empty(elsewhere));
+}
+
 class TakePlace : public ClusterProject {
  protected:
   TakePlace() {
@@ -316,6 +361,17 @@ TEST_F(TakePlace, FilesThatNoRunWroteStayOnTheClusterAndAreNamed) {
   for (const char* file :
        {"pairs.json", "report.html", "sherds/01/model.ply", "work/scans_front/f001.ply"})
     EXPECT_TRUE(fs::exists(results() / file)) << file;
+}
+
+TEST_F(TakePlace, NothingIsReplacedThroughALink) {
+  const fs::path elsewhere = folder_.path() / "elsewhere",
+                 replaced = clusterFolder(project_->folder()) / "replaced";
+  fs::create_directories(elsewhere / "B0001");
+  put(elsewhere / "B0001/thesis.txt", "mine");
+  fs::create_directory_symlink(elsewhere, replaced);
+  EXPECT_FALSE(takePlace(*project_, "B0001", incoming(), quiet));
+  EXPECT_EQ(textOf(elsewhere / "B0001/thesis.txt"), "mine");
+  EXPECT_TRUE(fs::exists(results() / "work"));
 }
 
 TEST_F(TakePlace, FilesOfAClusterAreThoseOfStrangers) {

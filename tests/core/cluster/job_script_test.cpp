@@ -97,6 +97,28 @@ TEST_F(RunScript, ADiskWithoutRoomIsNoted) {
   EXPECT_TRUE(note->ended && !note->room);
 }
 
+TEST_F(RunScript, NothingIsWrittenThroughALink) {
+  const fs::path elsewhere = folder_.path() / "elsewhere", thesis = elsewhere / "thesis.txt";
+  fs::create_directories(elsewhere);
+  std::ofstream(thesis) << "mine";
+  fs::create_symlink(thesis, folder_.path() / "cluster/state/B0001.new");
+  fs::create_symlink(thesis, folder_.path() / "results/B0001.room");
+  EXPECT_EQ(run("exit 1"), 1);
+  ASSERT_TRUE(note);
+  EXPECT_TRUE(note->ended && note->room);
+  EXPECT_EQ(*readFile(thesis), "mine");
+
+  for (const char* name : {"cluster/log", "cluster/state"}) {
+    fs::remove_all(folder_.path() / name);
+    fs::create_directory_symlink(elsewhere, folder_.path() / name);
+    EXPECT_EQ(run("echo > ran"), 73) << name;
+    fs::remove(folder_.path() / name);
+    fs::create_directories(folder_.path() / name);
+  }
+  EXPECT_FALSE(fs::exists(folder_.path() / "ran"));
+  EXPECT_FALSE(fs::exists(elsewhere / "B0001"));
+}
+
 // As Slurm signals the script a minute before the end: the program is told, and waited for.
 TEST_F(RunScript, BeforeTheTimeLimitTheProgramIsStoppedAndItsEndAwaited) {
   EXPECT_EQ(run("trap 'sleep 0.3; echo > results/B0001/ended; exit 1' TERM\n"

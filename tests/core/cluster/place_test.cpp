@@ -55,6 +55,27 @@ TEST_F(PlaceOfCluster, WhatAProgramSaidLastStandsInTheError) {
   EXPECT_EQ(absent.error().code, ErrorCode::Missing);
 }
 
+TEST_F(PlaceOfCluster, NoFolderIsMadeThroughALinkOnTheCluster) {
+  const fs::path there = folder_.path() / "there", elsewhere = folder_.path() / "elsewhere";
+  fs::create_directories(there / "cluster");
+  fs::create_directories(elsewhere);
+  const Result<Place> place = Place::of(project_->folder(), "anna@login:" + there.string());
+  ASSERT_TRUE(place) << place.error().sentence();
+  for (const char* name : {"cluster/log", "cluster"}) {
+    fs::remove(there / name);
+    fs::create_directory_symlink(elsewhere, there / name);
+    const Result<void> refused = place->prepare("anna's", {});
+    ASSERT_FALSE(refused) << name;
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(refused.error().where, "anna@login:" + (there / name).string());
+    EXPECT_TRUE(fs::is_empty(elsewhere)) << name;
+    fs::remove(there / name);
+  }
+  const Result<void> prepared = place->prepare("anna's", {});
+  EXPECT_TRUE(prepared) << prepared.error().sentence();
+  EXPECT_TRUE(fs::is_directory(there / "cluster/log"));
+}
+
 TEST_F(PlaceOfCluster, APathThatSlurmReadsAsSomethingElseIsRefused) {
   for (const char* name : {"100%", "a\\b", "a\nb"}) {
     const fs::path folder = folder_.path() / name;

@@ -116,6 +116,25 @@ TEST_F(Submit, WithoutSlurmOneSentenceSaysWhatToDo) {
   EXPECT_THAT(refused.error().sentence(), HasSubstr("--host USER@LOGIN:/FOLDER"));
 }
 
+// Jobs write their notes and logs there.
+TEST_F(Submit, ALinkInTheProjectsFolderForTheClusterIsNamedAndNothingIsSubmitted) {
+  queuedBatch();
+  const fs::path elsewhere = folder_.path() / "elsewhere";
+  fs::create_directories(elsewhere);
+  fs::create_directories(clusterFolder(project_->folder()));
+  for (const char* name : {"state", "log"}) {
+    const fs::path link = clusterFolder(project_->folder()) / name;
+    fs::create_directory_symlink(elsewhere, link);
+    const Result<Submitted> refused = submitAll();
+    ASSERT_FALSE(refused) << name;
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(refused.error().where, link.string());
+    fs::remove(link);
+  }
+  EXPECT_TRUE(fs::is_empty(elsewhere));
+  EXPECT_EQ(submissions(), 0);
+}
+
 // Two jobs of one batch would write into the same folder.
 TEST_F(Submit, ABatchThatIsPhotographedAgainIsSubmittedAnewOnceItsJobHasEnded) {
   queuedBatch();

@@ -162,6 +162,9 @@ TEST_F(OutputPlaces, FoldersThatAreEmptiedAreNoLinks) {
   fs::create_directory_symlink(beside, out / "mine");
   EXPECT_TRUE(checkNoLinkedFolder(out, kNames, LinkedFolders::AndBelow))
       << "a link to a file, and one that is none of these names";
+  const Result<void> file = checkNoLinkedFolder(out, kNames, LinkedFolders::AndLinksToFiles);
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().where, (out / "work" / "photograph.jpg").string());
   fs::create_directory_symlink(beside, out / "work" / "masks" / "more");
   EXPECT_TRUE(checkNoLinkedFolder(out, kNames, LinkedFolders::OfTheseNames));
   const Result<void> below = checkNoLinkedFolder(out, kNames, LinkedFolders::AndBelow);

@@ -37,11 +37,27 @@ using store::valueOrThrow;
 
 constexpr int kDrawingAsCopies = 20;  // for the progress: a drawing takes its time
 constexpr int kViewAsCopies = 5;      // likewise a photograph without its lens
+constexpr int kRowsAsCopy = 10;       // of a table: they take less than a file
 
 // Rounded up: what is said holds.
 double saidOf(double off_mm) {
   return std::ceil(1000 * off_mm) / 1000;
 }
+
+// What is left of the work, counted as part of the whole.
+class Rest final : public Progress {
+ public:
+  Rest(Progress& whole, std::int64_t done, std::int64_t total)
+      : whole_(whole), done_(done), total_(total) {}
+  void report(std::int64_t done, std::int64_t total) override {
+    whole_.report(done_ + (total_ - done_) * done / std::max<std::int64_t>(1, total), total_);
+  }
+  void note(NoteLevel level, const Message& text) override { whole_.note(level, text); }
+
+ private:
+  Progress& whole_;
+  std::int64_t done_, total_;
+};
 
 class Exporting {
  public:
@@ -58,9 +74,7 @@ class Exporting {
   Exported run(const std::vector<records::SherdRecord>& sherds, const ExportPlan& plan,
                std::span<const store::SherdRow> rows) {
     const records::ProjectRecord project = valueOrThrow(Settings(catalogue_).project());
-    total_ =
-        static_cast<std::int64_t>(plan.files().size() + kDrawingAsCopies * plan.drawn().size() +
-                                  kViewAsCopies * plan.viewedPhotographs().size());
+    total_ = workOf(plan, sherds.size());
     copy(sherds, plan, project.licence);
     draw(plan, project.title);
     views(plan);
@@ -72,7 +86,8 @@ class Exporting {
                                            {bag_.files(), exported_.without_model})))
       valueOrThrow(bag_.add(file.path, file.text));
     const auto read_again = [this](const fs::path& written) -> Result<void> {
-      const auto whole = archive::checkBag(written, progress_, stop_);
+      Rest rest(progress_, done_, total_);
+      const auto whole = archive::checkBag(written, rest, stop_);
       return whole ? Result<void>() : whole.error();
     };
     valueOrThrow(
@@ -87,6 +102,17 @@ class Exporting {
   }
 
  private:
+  // As so many copies. All that is written is read again.
+  std::int64_t workOf(const ExportPlan& plan, std::size_t sherds) const {
+    const std::size_t drawn = plan.drawn().size(), viewed = plan.viewedPhotographs().size(),
+                      described = options_.forms.contains(Form::Json) ? sherds : 0,
+                      copies = plan.files().size() + described, read = copies + 2 * drawn + viewed;
+    std::size_t work = copies + kDrawingAsCopies * drawn + kViewAsCopies * viewed + read;
+    for (const Form table : {Form::Csv, Form::Ods})
+      if (options_.forms.contains(table)) work += 1 + sherds / kRowsAsCopy;
+    return static_cast<std::int64_t>(work);
+  }
+
   void stopIfAsked() const {
     if (stop_.stop_requested()) throw store::Refused(Error::cancelled());
   }
@@ -309,17 +335,25 @@ class Exporting {
               std::span<const store::SherdRow> rows) {
     const std::set<store::ContextRow> contexts = metadata::contextsOf(catalogue_, sherds);
     const std::vector<store::ContextRow> list(contexts.begin(), contexts.end());
+    const auto count = [&] {
+      stopIfAsked();
+      progress_.report(done_, total_);
+      done_ += static_cast<std::int64_t>(1 + sherds.size() / kRowsAsCopy);
+    };
     const auto put = [&](const char* name, Result<std::string> bytes) {
       valueOrThrow(bag_.add(name, valueOrThrow(std::move(bytes))));
     };
     if (options_.forms.contains(Form::Csv)) {
+      count();
       constexpr ByteOrderMark with_mark = ByteOrderMark::With;
       put("sherds.csv", sherdsCsv(catalogue_, rows, with_mark, named_));
       put("contexts.csv", contextsCsv(catalogue_, list, with_mark));
       put("columns.csv", columnsCsv(with_mark));
     }
-    if (options_.forms.contains(Form::Ods))
+    if (options_.forms.contains(Form::Ods)) {
+      count();
       put("sherds.ods", tablesOds(catalogue_, rows, list, named_, options_.words));
+    }
   }
 
   void records(const std::vector<records::SherdRecord>& sherds, const ExportPlan& plan,
@@ -328,6 +362,7 @@ class Exporting {
     if (!options_.forms.contains(Form::Json)) return;
     for (const records::SherdRecord& sherd : sherds) {
       stopIfAsked();
+      progress_.report(done_++, total_);
       const std::string text =
           valueOrThrow(metadata::sherdJson(catalogue_, sherd, files_[sherd.row],
                                            processedExtras(project_, sherd), options_.program));

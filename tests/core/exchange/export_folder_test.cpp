@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
 #include "archive/bagit.h"
@@ -93,6 +94,34 @@ TEST_F(Export, IsOfOneMomentWhateverIsEditedMeanwhile) {
   EXPECT_THAT(*table, testing::HasSubstr(",23.4,"));
   EXPECT_THAT(*record, testing::HasSubstr("23.4"));
   EXPECT_THAT(*table + *record, testing::Not(testing::HasSubstr("edited")));
+}
+
+// What was reported, in parts of the whole.
+class Parts final : public Progress {
+ public:
+  void report(std::int64_t done, std::int64_t total) override {
+    parts.push_back(static_cast<double>(done) / static_cast<double>(total));
+  }
+  void note(NoteLevel, const Message&) override {}
+  std::vector<double> parts = {0};
+};
+
+TEST_F(Export, CountsRecordsAndTablesAsWork) {
+  std::vector<store::SherdRow> some(rows.begin(), rows.end());
+  while (some.size() < 20) {
+    records::SherdRecord sherd;
+    sherd.context = context13;
+    some.push_back(*sherds::Sherds(catalogue()).add(sherd, anna));
+  }
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  options.forms = {Form::Csv, Form::Ods, Form::Json};
+  Parts progress;
+  ASSERT_TRUE(exportFolder(catalogue(), project_->folder(), some, options, progress, {}));
+  std::vector<double>& parts = progress.parts;
+  EXPECT_TRUE(std::is_sorted(parts.begin(), parts.end()));
+  parts.push_back(1);
+  for (std::size_t i = 1; i < parts.size(); ++i) EXPECT_LE(parts[i] - parts[i - 1], 0.25) << i;
 }
 
 TEST_F(Export, MakesAGlbWhereThereIsAPlyAlone) {

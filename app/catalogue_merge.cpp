@@ -69,6 +69,14 @@ ordered_json conflictsJson(const std::vector<merge::Conflict>& conflicts) {
   return list;
 }
 
+ordered_json numbersJson(
+    const std::map<std::string, std::pair<std::string, std::string>>& numbers) {
+  ordered_json list = ordered_json::array();
+  for (const auto& [id, number] : numbers)
+    list.push_back({{"id", id}, {"before", number.first}, {"now", number.second}});
+  return list;
+}
+
 std::string summaryOf(const merge::MergeReport& report) {
   const auto open = std::count_if(report.conflicts.begin(), report.conflicts.end(),
                                   [](const merge::Conflict& one) { return !one.settled; });
@@ -100,6 +108,9 @@ int runMerge(const MergeArguments& arguments, Session& session) {
   if (!session.json) printConflicts(*report);
   for (const auto& [there, here] : report->renumbered)
     show(stderr, "Batch %s of B is batch %s here.\n", there.c_str(), here.c_str());
+  for (const auto& [id, numbers] : report->new_numbers)
+    show(stderr, "Sherd %s has another number here: %s.\n", numbers.first.c_str(),
+         numbers.second.c_str());
   for (const std::string& file : report->missing)
     show(stderr, "B does not have this file, which its catalogue names: %s\n", file.c_str());
   const int status = report->unsettled()                                 ? PersonMustDecide
@@ -112,6 +123,7 @@ int runMerge(const MergeArguments& arguments, Session& session) {
                  {"files", report->files},
                  {"bytes", report->bytes},
                  {"batches", report->renumbered},
+                 {"numbers", numbersJson(report->new_numbers)},
                  {"missing", report->missing},
                  {"kept", report->kept},
                  {"conflicts", conflictsJson(report->conflicts)}},

@@ -11052,6 +11052,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durchgänge, die hier eine andere Nummer bekommen: %1</translation>
     </message>
+    <message>
+      <source>Sherds that get another number here: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben, die hier eine andere Nummer bekommen: %1</translation>
+    </message>
     <message numerus="yes">
       <source>Missing in the other project: %n file(s), %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>

@@ -11002,6 +11002,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Burada başka numara alan partiler: %1</translation>
     </message>
+    <message>
+      <source>Sherds that get another number here: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Burada başka numara alan parçalar: %1</translation>
+    </message>
     <message numerus="yes">
       <source>Missing in the other project: %n file(s), %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>

@@ -78,10 +78,10 @@ Outcome Merging::run() {
     }
   for (const Table& table : a_.tables) units_[table.name] = unitsOf(table);
   readAliases();
-  readGivenNumbers();
   for (std::size_t i = 0; i < a_.tables.size(); ++i) mergeTable(a_.tables[i], b_.tables[i]);
   setDeferred();
   mergeBags();
+  renumberLosers();
   addGivenNumbers();
   mergeMeasurements();
   mergeJoins();
@@ -182,7 +182,7 @@ bool Merging::sameUnderAnotherId(const Table& a, const Row& mine, const Table& b
 void Merging::mergeTable(const Table& a, const Table& b) {
   aliasRows(a, b);
   compareHistories(a.name);
-  if (a.name == "sherd") noteNumbersOfB();
+  if (a.name == "sherd") noteNumbers();
   if (a.name == "pair_decision") comparePairs();
   if (a.name == "piece_decision") comparePieces();
   if (a.name == "scan") noteOwnComputations();

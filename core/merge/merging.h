@@ -79,10 +79,13 @@ class Merging {
                       const std::vector<std::string>& fields);
 
   // numbers.cpp: sherds and their numbers
-  void readGivenNumbers();
-  void noteNumbersOfB();
+  void noteNumbers();
+  std::string numberNow(const std::string& sherd) const;
+  std::string numberInB(const std::string& sherd) const;  ///< empty: none, or no such sherd
   bool takesNumber(const std::string& sherd, const Table& table, Values& values);
-  void takeNumberAway(std::int64_t sherd, const std::string& number);
+  bool winsNumber(const std::string& sherd, const Table& table, Values& values);
+  void takeNumberAway(const std::string& sherd);
+  void renumberLosers();
   void claimNumber(const std::string& sherd, const std::string& number);
   void addGivenNumbers();
   void assignNumbers();
@@ -126,16 +129,13 @@ class Merging {
   std::unordered_map<std::string, std::vector<Event>> new_events_;  ///< of B alone, by row
   Touched touched_a_, touched_b_;
   std::map<std::string, std::vector<const Event*>> since_a_, since_b_;  ///< by table, in order
-  struct Deferred {
-    std::string table, column, id;
-    std::int64_t row = 0;
-  };
   std::vector<Deferred> deferred_;
   std::unordered_map<std::string, std::string> number_owner_;   ///< by slug: sherd
   std::set<std::pair<std::string, std::string>> numbers_in_b_;  ///< slug, sherd: at any time
-  std::set<std::string> new_places_;     ///< table and natural key: as settled
-  std::vector<std::int64_t> to_number_;  ///< sherds of A whose number went to another
-  std::set<std::string> lost_numbers_;   ///< sherds of B whose number stays with another
+  std::set<std::string> new_places_;                         ///< table and natural key: as settled
+  std::unordered_map<std::string, const Row*> sherds_of_b_;  ///< by uuid in A
+  std::vector<TakenNumber> taken_away_;                      ///< of sherds of A
+  std::set<std::string> lost_numbers_;  ///< sherds of B whose number stays with another
   std::map<std::string, std::pair<std::string, std::string>> new_numbers_;  ///< sherd: old, new
   std::map<std::string, std::string> claimed_;                              ///< sherd: number
   std::map<std::string, std::string> folder_of_;                            ///< number of B -> of A

@@ -47,16 +47,26 @@ Told toldJoins(const Content& content, const std::vector<const Event*>& since,
 
 }  // namespace
 
-void Merging::readGivenNumbers() {
+void Merging::noteNumbers() {
   for (const std::vector<Value>& given : a_.given)
     number_owner_[slugOfNumber(given[2].value_or(""))] = given[3].value_or("");
-}
-
-void Merging::noteNumbersOfB() {
+  for (const Row& theirs : b_.table("sherd").rows) sherds_of_b_[canonicalId(theirs.id)] = &theirs;
   for (const Event& event : b_.events)
     if (event.table == "sherd" && event.field == "number")
       for (const std::string* number : {&event.old_value, &event.new_value})
         numbers_in_b_.emplace(slugOfNumber(*number), canonicalId(event.row));
+}
+
+std::string Merging::numberNow(const std::string& sherd) const {
+  return database_.sql("SELECT number FROM sherd WHERE row = ?", rows_.at(sherd))
+      .one<std::string>();
+}
+
+std::string Merging::numberInB(const std::string& sherd) const {
+  const auto theirs = sherds_of_b_.find(sherd);
+  return theirs == sherds_of_b_.end()
+             ? std::string()
+             : theirs->second->values[b_.table("sherd").column("number")].value_or("");
 }
 
 // False where another sherd of A keeps the number. values: of the sherd as it would be.
@@ -68,16 +78,27 @@ bool Merging::takesNumber(const std::string& sherd, const Table& table, Values& 
   // What A called otherwise since is A's word on it.
   if (mine && touches(touched_a_, sherd, {"number"}) && !touches(touched_b_, sherd, {"number"}))
     return true;
+  return winsNumber(sherd, table, values);
+}
+
+// Whatever A called it since.
+bool Merging::winsNumber(const std::string& sherd, const Table& table, Values& values) {
+  const std::string number = values[table.column("number")].value_or("");
   const auto owner = number_owner_.find(slugOfNumber(number));
   if (owner == number_owner_.end() || owner->second == sherd) return true;
-  const std::int64_t owner_row = rows_.at(owner->second);
-  const auto now =
-      database_.sql("SELECT number FROM sherd WHERE row = ?", owner_row).one<std::string>();
-  const bool bears = slugOfNumber(now) == owner->first;
+  const std::string other_sherd = owner->second;
+  const bool bears = slugOfNumber(numberNow(other_sherd)) == owner->first;
+  // B calls it otherwise, and nobody in A had a word on that since.
+  const bool leaves = bears && sherds_of_b_.contains(other_sherd) &&
+                      slugOfNumber(numberInB(other_sherd)) != owner->first &&
+                      !lost_numbers_.contains(other_sherd) &&
+                      touches(touched_b_, other_sherd, {"number"}) &&
+                      !touches(touched_a_, other_sherd, {"number", "state", "void_reason"});
+  if (leaves) takeNumberAway(other_sherd);
   // Settled before: B knows that the other sherd had the number, and it is called otherwise by now.
-  if (!bears && numbers_in_b_.contains(*owner)) return true;
+  if (leaves || (!bears && numbers_in_b_.contains(*owner))) return true;
   const std::string conflict = "number/" + sherd;
-  const Row* other = a_.table("sherd").find(owner->second);
+  const Row* other = a_.table("sherd").find(other_sherd);
   const Take take = settle({conflict,
                             "sherd",
                             number,
@@ -98,16 +119,40 @@ bool Merging::takesNumber(const std::string& sherd, const Table& table, Values& 
     return true;
   }
   if (take == Take::A) lost_numbers_.insert(sherd);
-  if (take == Take::B && bears) takeNumberAway(owner_row, now);
+  if (take == Take::B && bears) takeNumberAway(other_sherd);
   return take == Take::B;
 }
 
-void Merging::takeNumberAway(std::int64_t sherd, const std::string& number) {
-  const records::SherdRecord loser =
-      store::valueOrThrow(sherds::Sherds(projects_.a).get(store::SherdRow{sherd}));
-  if (loser.state == records::SherdState::Numbered) to_number_.push_back(sherd);
+void Merging::takeNumberAway(const std::string& sherd) {
+  const store::SherdRow row{rows_.at(sherd)};
+  const records::SherdRecord loser = store::valueOrThrow(sherds::Sherds(projects_.a).get(row));
+  taken_away_.push_back({sherd, loser.number, loser.state == records::SherdState::Numbered});
   sherds::setNumber(projects_.a, loser, {});
-  remember("sherd", sherd, "number", number, "");
+  changed_sherds_.insert(row.value);
+}
+
+// A sherd whose number went to another takes the one that it has in B, which may stand on its
+// label: if a third one bears that, a person says whose it is.
+void Merging::renumberLosers() {
+  const Table& table = b_.table("sherd");
+  // B's number came in its turn.
+  std::erase_if(taken_away_, [&](const TakenNumber& one) { return !numberNow(one.sherd).empty(); });
+  for (std::size_t i = 0; i < taken_away_.size(); ++i) {  // one may take it from the next
+    const TakenNumber loser = taken_away_[i];
+    const std::int64_t row = rows_.at(loser.sherd);
+    remember("sherd", row, "number", loser.number, "");
+    const std::string number = numberInB(loser.sherd);
+    if (!loser.numbered || number.empty()) continue;
+    Values values = canonical(table, *sherds_of_b_.at(loser.sherd));
+    if (!winsNumber(loser.sherd, table, values)) continue;
+    values[table.column("state")] = "numbered";
+    std::vector<std::pair<std::size_t, Value>> changes;
+    for (const char* name : {"number", "number_sort", "state"})
+      changes.emplace_back(table.column(name), values[table.column(name)]);
+    write(table, row, changes);
+    remember("sherd", row, "number", "", number);
+    claimNumber(loser.sherd, values[table.column("number")].value_or(""));
+  }
 }
 
 void Merging::claimNumber(const std::string& sherd, const std::string& number) {
@@ -143,24 +188,29 @@ void Merging::addGivenNumbers() {
     remember("sherd", rows_.at(sherd), "number", numbers.first, numbers.second);
 }
 
-// Sherds whose number went to another get the next one that is free.
+// Sherds whose number went to another and that have none in B get the next one that is free.
 void Merging::assignNumbers() {
   const Table& sherds = b_.table("sherd");
-  for (const std::string& id : lost_numbers_) {
-    const Row* mine = a_.table("sherd").find(id);
-    const Row* theirs = sherds.find(id);
-    const std::string number =
-        theirs ? theirs->values[sherds.column("number")].value_or("") : std::string();
-    const std::string now =
-        mine ? mine->values[sherds.column("number")].value_or("") : std::string();
-    remember("sherd", rows_.at(id), "number", number, now);
-    if (!mine && theirs && theirs->values[sherds.column("state")] == "numbered")
-      to_number_.push_back(rows_.at(id));
-  }
-  if (to_number_.empty() || outcome_.unsettled()) return;
   std::vector<store::SherdRow> rows;
-  for (const std::int64_t row : to_number_) rows.push_back({row});
-  store::valueOrThrow(sherds::Numbers(projects_.a).assign(rows, provenance_));
+  std::vector<std::pair<std::string, std::string>> before;  // sherd, number
+  for (const TakenNumber& loser : taken_away_) {
+    before.emplace_back(loser.sherd, loser.number);
+    if (loser.numbered && numberNow(loser.sherd).empty()) rows.push_back({rows_.at(loser.sherd)});
+  }
+  for (const std::string& id : lost_numbers_) {
+    const std::string number = numberInB(id);
+    remember("sherd", rows_.at(id), "number", number, numberNow(id));
+    if (a_.table("sherd").find(id)) continue;
+    before.emplace_back(id, number);
+    if (sherds_of_b_.at(id)->values[sherds.column("state")] == "numbered")
+      rows.push_back({rows_.at(id)});
+  }
+  if (outcome_.unsettled()) return;
+  if (!rows.empty()) store::valueOrThrow(sherds::Numbers(projects_.a).assign(rows, provenance_));
+  for (const auto& [sherd, numbers] : new_numbers_) before.emplace_back(sherd, numbers.first);
+  for (const auto& [sherd, number] : before)
+    if (const std::string now = numberNow(sherd); !now.empty())
+      outcome_.new_numbers.try_emplace(sherd, number, now);
 }
 
 void Merging::mergeMeasurements() {

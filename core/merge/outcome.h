@@ -27,6 +27,18 @@ inline Said saidText(const std::string& field, const std::string& row, const std
   return {field, row, {field}, {{{field, a}}}, {{{field, b}}}, field, a, b};
 }
 
+/// A reference to a row that A does not have yet.
+struct Deferred {
+  std::string table, column, id;
+  std::int64_t row = 0;
+};
+
+/// A number that went from a sherd of A to another.
+struct TakenNumber {
+  std::string sherd, number;
+  bool numbered = false;  ///< else the sherd is void and needs none
+};
+
 /// A file of B that A gets.
 struct FileCopy {
   std::string from, to;  ///< relative to their projects
@@ -45,8 +57,11 @@ struct MergeReport {
   std::int64_t bytes = 0;
   std::vector<Conflict> conflicts;                ///< the settled ones, too
   std::map<std::string, std::string> renumbered;  ///< batches: numbers of B that are others in A
-  std::vector<std::string> missing;               ///< files that B's catalogue names but B lacks
-  std::vector<std::string> kept;                  ///< changed meanwhile (upkeep::placeStaged)
+  /// Sherds, by uuid, whose number went to another, or that a person called otherwise: the number
+  /// that they had in A, or else in B, and the one that they have now.
+  std::map<std::string, std::pair<std::string, std::string>> new_numbers;
+  std::vector<std::string> missing;  ///< files that B's catalogue names but B lacks
+  std::vector<std::string> kept;     ///< changed meanwhile (upkeep::placeStaged)
   bool unsettled() const;
 };
 

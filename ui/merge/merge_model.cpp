@@ -90,13 +90,18 @@ QString MergeModel::notes() const {
   QStringList lines;
   if (!problem_.isEmpty()) lines << problem_;
   if (!report_) return lines.join('\n');
-  QStringList renumbered, missing;
+  QStringList renumbered, numbers, missing;
   for (const auto& [there, here] : report_->renumbered)
     renumbered << QStringLiteral("%1 → %2").arg(QString::fromStdString(there),
                                                 QString::fromStdString(here));
+  for (const auto& [id, number] : report_->new_numbers)
+    numbers << QStringLiteral("%1 → %2").arg(QString::fromStdString(number.first),
+                                             QString::fromStdString(number.second));
   for (const std::string& file : report_->missing) missing << QString::fromStdString(file);
   if (!renumbered.isEmpty())
     lines << tr("Batches that get another number here: %1").arg(firstOf(renumbered, kMostNamed));
+  if (!numbers.isEmpty())
+    lines << tr("Sherds that get another number here: %1").arg(firstOf(numbers, kMostNamed));
   if (!missing.isEmpty())
     lines << tr("Missing in the other project: %n file(s), %1", nullptr,
                 static_cast<int>(missing.size()))

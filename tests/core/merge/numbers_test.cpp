@@ -1,6 +1,8 @@
 // Whose a number is, which measurement counts, and which sherds join.
 #include <gmock/gmock.h>
 
+#include <tuple>
+
 #include "store/database.h"
 #include "two_houses.h"
 
@@ -101,6 +103,75 @@ TEST_F(TwoNumbers, ANewNumberIsCheckedAsATypedOne) {
     ASSERT_FALSE(refused) << number;
     EXPECT_EQ(refused.error().where, "number/" + theirs);
   }
+}
+
+/// Two sherds with one number, each made in one house, and settled otherwise in each: N3 stands on
+/// the label of the second in the first house, and of the first in the second one.
+class SwappedNumbers : public TwoNumbers {
+ protected:
+  static constexpr const char *kFirst = "ARM1-T3-0013-0001", *kSecond = "ARM1-T3-0013-0002";
+  void swap() {
+    std::tie(x_, y_) = called("N3", "N3");
+    const upkeep::Project old = copied("old");
+    merged(*project_, b_, {{"number/" + y_, take(Take::B)}});
+    merged(b_, old, {{"number/" + x_, take(Take::B)}});
+  }
+  std::string x_, y_;
+};
+
+TEST_F(SwappedNumbers, AreThoseOfTheOtherProjectWhereOneOfThemGoesOver) {
+  swap();
+  ASSERT_EQ(saidOf(*project_, x_, "number") + saidOf(*project_, y_, "number"),
+            std::string(kFirst) + "N3");
+  ASSERT_EQ(saidOf(b_, x_, "number") + saidOf(b_, y_, "number"), std::string("N3") + kFirst);
+  settle({{"number/" + y_, take(Take::B)}});
+  EXPECT_EQ(saidOf(*project_, x_, "number"), "N3");
+  EXPECT_EQ(saidOf(*project_, y_, "number"), kFirst);
+  EXPECT_EQ(ownerOf("N3"), x_);
+  EXPECT_EQ(ownerOf(kFirst), y_);
+}
+
+TEST_F(SwappedNumbers, StayWhereAPersonSaysSoAndNobodyAsksAgain) {
+  swap();
+  settle({{"number/" + y_, take(Take::A)}});
+  for (const upkeep::Project* project : {&*project_, static_cast<const upkeep::Project*>(&b_)}) {
+    EXPECT_EQ(saidOf(*project, x_, "number"), kFirst);
+    EXPECT_EQ(saidOf(*project, y_, "number"), "N3");
+  }
+}
+
+TEST_F(SwappedNumbers, AreNamedWhereASherdGetsAnother) {
+  swap();
+  const MergeReport report = merged(*project_, b_, {{"number/" + y_, take(Take::B)}});
+  EXPECT_THAT(report.new_numbers,
+              testing::ElementsAre(testing::Pair(x_, testing::Pair(kFirst, "N3"))));
+}
+
+TEST_F(SwappedNumbers, AreAConflictOfTheirOwnWhereAThirdSherdBearsTheFreeOne) {
+  std::tie(x_, y_) = called("N3", "N3");
+  const upkeep::Project old = copied("old");
+  merged(*project_, b_, {{"number/" + y_, take(Take::B)}});  // the first one is 0001
+  const std::string third = sherds::Sherds(b_.catalogue()).get(newSherd(b_, context13, true))->id;
+  ASSERT_EQ(saidOf(b_, third, "number"), kFirst);
+  merged(b_, old, {{"number/" + x_, take(Take::B)}});
+  ASSERT_EQ(saidOf(b_, y_, "number"), kSecond);
+  // A person in the first house says once more that the second one bears N3.
+  const store::SherdRow y = *sherds::Sherds(catalogue()).byId(y_);
+  say(*project_, y, "number", "M-1");
+  say(*project_, y, "number", "N3");
+  Settled settled = {{"sherd/" + y_ + "/number", take(Take::A)},
+                     {"number/" + third, take(Take::B)}};
+  const MergeReport open = merged(*project_, b_, settled);
+  EXPECT_FALSE(open.entered);
+  EXPECT_THAT(openIn(open), testing::ElementsAre("number/" + x_));
+  settled["number/" + x_] = take(Take::A);
+  const MergeReport done = merged(*project_, b_, settled);
+  EXPECT_TRUE(done.entered);
+  EXPECT_EQ(saidOf(*project_, third, "number"), kFirst);
+  EXPECT_EQ(saidOf(*project_, y_, "number"), "N3");
+  EXPECT_EQ(saidOf(*project_, x_, "number"), "ARM1-T3-0013-0003");
+  EXPECT_THAT(done.new_numbers,
+              testing::ElementsAre(testing::Pair(x_, testing::Pair(kFirst, "ARM1-T3-0013-0003"))));
 }
 
 class MergedMeasurements : public Conflicts {

@@ -2,6 +2,7 @@
 // often as one likes, they end as the same project, and nothing is lost.
 #include <gmock/gmock.h>
 
+#include <map>
 #include <random>
 #include <set>
 
@@ -98,6 +99,48 @@ TEST_P(Orders, EndAsTheSameProject) {
     const std::string before = contentIn(*projects[into]);
     once(into, from);
     EXPECT_EQ(contentIn(*projects[into]), before) << "merging once more changes nothing";
+  }
+}
+
+// Each house gives the number N3 to a sherd of its own, and takes the other's word on all numbers.
+TEST_P(Orders, GiveEachNumberToOneSherdThatSomeProjectGaveItTo) {
+  Random random(GetParam());
+  upkeep::Project b = copied("b"), c = copied("c");
+  const std::vector<upkeep::Project*> projects = {&*project_, &b, &c};
+  for (upkeep::Project* project : projects)
+    say(*project, newSherd(*project, context13, false), "number", "N3");
+  const auto numbersIn = [](const upkeep::Project& project) {
+    std::map<std::string, std::string> numbers;  // by sherd
+    const sherds::Sherds all(project.catalogue());
+    for (const store::SherdRow row : valueIn(all.rows(sherds::Filter{}, {}))) {
+      const records::SherdRecord sherd = valueIn(all.get(row));
+      if (!sherd.number.empty()) numbers[sherd.id] = sherd.number;
+    }
+    return numbers;
+  };
+  for (int i = 0; i < 6; ++i) {
+    const std::size_t into = random() % 3, from = (into + 1 + random() % 2) % 3;
+    const auto before = numbersIn(*projects[into]), theirs = numbersIn(*projects[from]);
+    Settled settled;
+    MergeReport report = merged(*projects[into], *projects[from]);
+    for (int round = 0; round < 3 && !report.entered; ++round) {
+      for (const std::string& id : openIn(report)) settled[id] = take(Take::B);
+      report = merged(*projects[into], *projects[from], settled);
+    }
+    ASSERT_TRUE(report.entered);
+    std::set<std::string> borne;
+    for (const auto& [sherd, number] : numbersIn(*projects[into])) {
+      EXPECT_TRUE(borne.insert(number).second) << number;
+      const auto mine = before.find(sherd), other = theirs.find(sherd);
+      const bool given = (mine != before.end() && mine->second == number) ||
+                         (other != theirs.end() && other->second == number);
+      EXPECT_TRUE(given || report.new_numbers.contains(sherd)) << number << " came unnamed";
+      EXPECT_TRUE(given || other == theirs.end()) << "not " << other->second << ", but " << number;
+    }
+    EXPECT_TRUE(projects[into]->catalogue().checkIntegrity());
+    const std::string content = contentIn(*projects[into]);
+    EXPECT_THAT(openIn(merged(*projects[into], *projects[from])), testing::IsEmpty());
+    EXPECT_EQ(contentIn(*projects[into]), content);
   }
 }
 

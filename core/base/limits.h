@@ -50,6 +50,12 @@ inline constexpr Limit kTexturePixels{"Pixels of a model's texture", std::uint64
                                       "pixels", "the program makes no larger page"};
 inline constexpr Limit kJpegScans{"Scans of a JPEG image", 100, "scans",
                                   "each is a pass over the whole image; cameras write about 10"};
+inline constexpr Limit kHeifParts{"Parts of a HEIC image", 10'000, "parts",
+                                  "the largest image has 6,100 tiles of 256 x 256 pixels"};
+inline constexpr Limit kHeifLevels{"Images within each other in a HEIC image", 4, "levels",
+                                   "an image with a channel in tiles has 3"};
+inline constexpr Limit kRawPixelsPerByte{"Pixels of a RAW image for each byte of its file", 516,
+                                         "pixels", "zeros of two bytes, deflated, have as many"};
 inline constexpr Limit kNetworkBytes{"Network for masks (ONNX)", 1024 * kMiB, "bytes",
                                      "it is held in memory twice while it is read"};
 inline constexpr Limit kNetworkRunBytes{"What layers of a network for masks give to one another",
@@ -100,14 +106,17 @@ inline constexpr Limit kRemarkBytes{
 inline constexpr int kLeastPhotographSide = 16;
 
 inline constexpr Limit kAll[] = {
-    kFileBytes,     kJsonBytes,      kJsonDepth,       kPlateMarkers,     kPlateReach_mm,
-    kPoseReach_mm,  kScanReach_mm,   kBoardSquares,    kRigCameras,       kRigStops,
-    kRigPositions,  kRigRatio,       kImageSide,       kImagePixels,      kImageBytes,
-    kTexturePixels, kJpegScans,      kNetworkBytes,    kNetworkRunBytes,  kVertices,
-    kFaces,         kFaceCorners,    kDecisions,       kDecisionReplaces, kMaskStrokes,
-    kMaskPoints,    kModelExtent_mm, kRasterPixels,    kManifestBytes,    kTableBytes,
-    kTableRows,     kTableColumns,   kTableFieldBytes, kValueBytes,       kTemplateBytes,
-    kPlaceUses,     kRemarkDepth,    kRemarkBytes};
+    kFileBytes,     kJsonBytes,       kJsonDepth,        kPlateMarkers,
+    kPlateReach_mm, kPoseReach_mm,    kScanReach_mm,     kBoardSquares,
+    kRigCameras,    kRigStops,        kRigPositions,     kRigRatio,
+    kImageSide,     kImagePixels,     kImageBytes,       kTexturePixels,
+    kJpegScans,     kHeifParts,       kHeifLevels,       kRawPixelsPerByte,
+    kNetworkBytes,  kNetworkRunBytes, kVertices,         kFaces,
+    kFaceCorners,   kDecisions,       kDecisionReplaces, kMaskStrokes,
+    kMaskPoints,    kModelExtent_mm,  kRasterPixels,     kManifestBytes,
+    kTableBytes,    kTableRows,       kTableColumns,     kTableFieldBytes,
+    kValueBytes,    kTemplateBytes,   kPlaceUses,        kRemarkDepth,
+    kRemarkBytes};
 
 }  // namespace limits
 }  // namespace ostraka

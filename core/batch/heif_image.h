@@ -12,10 +12,12 @@ namespace ostraka::batch {
 bool isHeif(std::string_view bytes);
 
 /// Size of the main image as stored, before the rotation that the file asks for; checks that each
-/// box is within the file. Error: UnusableInput.
+/// box is within the file, and that images put together from others (ISO/IEC 23008-12) end, are
+/// within `kHeifParts`, `kHeifLevels` and the size of an image, and no overlays. Error:
+/// UnusableInput.
 Result<ImageSize> heifSize(std::string_view bytes, const std::string& where);
 
-/// The main image as 8-bit BGR, as stored. Error: UnusableInput.
+/// The main image as 8-bit BGR, as stored; the same checks. Error: UnusableInput.
 Result<cv::Mat> decodeHeif(std::string_view bytes, const std::string& where);
 
 /// The EXIF block as a TIFF's bytes; empty when there is none.

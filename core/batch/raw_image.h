@@ -13,8 +13,9 @@ namespace ostraka::batch {
 /// TIFF image, which holds a preview first.
 bool hasRawEnding(const std::filesystem::path& file);
 
-/// Size of the picture that `decodeRaw` makes. Unpacks the sensor's values, since nothing else says
-/// whether the file is cut off: 0.3 s for 24 megapixels. Error: UnusableInput.
+/// Size of the picture that `decodeRaw` makes. Where the header does not state the length of the
+/// sensor's values, these are unpacked to see whether the file is cut off: 0.3 s for 24 megapixels.
+/// Cut off is also a file that states more than `kRawPixelsPerByte`. Error: UnusableInput.
 Result<ImageSize> rawSize(std::string_view bytes, const std::string& where);
 
 /// The developed picture as 8-bit BGR (sRGB): the camera's white balance, exposure as it was, so

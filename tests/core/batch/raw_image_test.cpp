@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <random>
 
 #include "batch/exif.h"
@@ -13,6 +14,7 @@
 namespace ostraka::batch {
 namespace {
 
+using testing::HasSubstr;
 
 enum class Dng { Byte = 1, Ascii = 2, Short = 3, Long = 4, Rational = 5, SignedRational = 10 };
 
@@ -29,9 +31,9 @@ struct DngField {
   std::string value;
 };
 
-// A red, green, green, blue sensor of 16 bits, orientation 6 ("turn by 90 degrees"): the left half
-// saw `left` on all sensels, the right half `right`.
-std::string dng(int width, int height, int left, int right) {
+// A red, green, green, blue sensor of 16 bits, orientation 6 ("turn by 90 degrees"), with its
+// values as the file has them. TIFF's compression 1 is none, 7 a lossless JPEG.
+std::string dngOf(int width, int height, int compression, const std::string& sensels) {
   const auto shorts = [](std::initializer_list<int> values) {
     std::string text;
     for (const int v : values) text += little(static_cast<std::uint64_t>(v), 2);
@@ -40,14 +42,13 @@ std::string dng(int width, int height, int left, int right) {
   std::string ones, identity;
   for (int i = 0; i < 3; ++i) ones += little(1, 4) + little(1, 4);
   for (int i = 0; i < 9; ++i) identity += little(i % 4 == 0 ? 1 : 0, 4) + little(1, 4);
-  const std::uint32_t pixels = static_cast<std::uint32_t>(width * height);
   const std::string model = std::string("Made by hand") + '\0';
   std::vector<DngField> fields{
       {254, Dng::Long, 1, little(0, 4)},
       {256, Dng::Long, 1, little(static_cast<std::uint64_t>(width), 4)},
       {257, Dng::Long, 1, little(static_cast<std::uint64_t>(height), 4)},
       {258, Dng::Short, 1, shorts({16})},
-      {259, Dng::Short, 1, shorts({1})},
+      {259, Dng::Short, 1, shorts({compression})},
       {262, Dng::Short, 1, shorts({32803})},  // colour filter array
       {271, Dng::Ascii, 13, model},
       {272, Dng::Ascii, 13, model},
@@ -55,7 +56,7 @@ std::string dng(int width, int height, int left, int right) {
       {274, Dng::Short, 1, shorts({6})},
       {277, Dng::Short, 1, shorts({1})},
       {278, Dng::Long, 1, little(static_cast<std::uint64_t>(height), 4)},
-      {279, Dng::Long, 1, little(2 * pixels, 4)},
+      {279, Dng::Long, 1, little(sensels.size(), 4)},
       {284, Dng::Short, 1, shorts({1})},
       {33421, Dng::Short, 2, shorts({2, 2})},
       {33422, Dng::Byte, 4, std::string("\0\1\1\2", 4)},
@@ -82,11 +83,25 @@ std::string dng(int width, int height, int left, int right) {
       head += f.value + std::string(4 - f.value.size(), '\0');
     }
   }
-  std::string all = head + little(0, 4) + behind;
+  return head + little(0, 4) + behind + sensels;
+}
+
+// The left half saw `left` on all sensels, the right half `right`.
+std::string dng(int width, int height, int left, int right) {
+  std::string values;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      all += little(static_cast<std::uint64_t>(x < width / 2 ? left : right), 2);
-  return all;
+      values += little(static_cast<std::uint64_t>(x < width / 2 ? left : right), 2);
+  return dngOf(width, height, 1, values);
+}
+
+// A lossless JPEG (ITU-T T.81, process 14) of 65535 x 65535 values, each of one bit: no difference.
+// They end after `bytes` of these.
+std::string losslessJpeg(std::size_t bytes) {
+  const std::string header("\xFF\xD8\xFF\xC3\0\x0B\x10\xFF\xFF\xFF\xFF\1\x11\0\0", 15);
+  const std::string codes =
+      std::string("\xFF\xC4\0\x14\0\1", 6) + std::string(15, '\0') + std::string(1, '\0');
+  return header + codes + std::string("\xFF\xDA\0\x08\1\0\0\1\0\0", 10) + std::string(bytes, '\0');
 }
 
 TEST(RawImage, IsDevelopedWithoutTurningOrBrighteningIt) {
@@ -123,6 +138,27 @@ TEST(RawImage, IsRecognisedAsCutOff) {
     ASSERT_FALSE(size.has_value()) << share;
     EXPECT_EQ(size.error().code, ErrorCode::UnusableInput);
   }
+}
+
+TEST(RawImage, ThatStatesMorePixelsThanItsBytesHoldIsCutOffAtOnce) {
+  const auto began = std::chrono::steady_clock::now();
+  // 360 million pixels in 200 bytes; and in a million, where unpacking meets the end of the file.
+  for (const std::size_t bytes : {200u, 1'000'000u})
+    for (const auto& error :
+         {imageSize(dngOf(60000, 6000, 7, losslessJpeg(bytes)), "a.dng").error(),
+          decodePhotograph(dngOf(60000, 6000, 7, losslessJpeg(bytes)), "a.dng").error()})
+      EXPECT_THAT(error.what, HasSubstr("truncated")) << bytes;
+  // Unpacked to the end, each takes 6 s.
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(3));
+}
+
+TEST(RawImage, GivesItsSizeWithoutUnpackingWhereItStatesTheLengthOfItsValues) {
+  // 6,000 bytes of a lossless JPEG for 64 x 48 pixels of 16 bits: more than half; none are missing.
+  std::string damaged = dngOf(64, 48, 7, losslessJpeg(6000));
+  const auto jpeg = damaged.find("\xFF\xD8\xFF\xC3");
+  damaged[jpeg] = 'x';
+  EXPECT_EQ(*imageSize(damaged, "a.dng"), (ImageSize{64, 48}));
+  EXPECT_FALSE(decodePhotograph(damaged, "a.dng").has_value());
 }
 
 TEST(RawImage, OfAnotherKindIsRefused) {

@@ -23,7 +23,7 @@ Error damagedRaw(const std::string& where) {
 }
 
 // A file whose values are not yet unpacked. The bytes must outlive it.
-Result<std::unique_ptr<LibRaw>> opened(std::string_view bytes, const std::string& where) {
+Result<std::unique_ptr<LibRaw>> openedRaw(std::string_view bytes, const std::string& where) {
   auto raw = std::make_unique<LibRaw>(LIBRAW_OPIONS_NO_MEMERR_CALLBACK |
                                       LIBRAW_OPIONS_NO_DATAERR_CALLBACK);
   libraw_output_params_t& how = *raw->output_params_ptr();
@@ -82,7 +82,7 @@ bool hasRawEnding(const std::filesystem::path& file) {
 }
 
 Result<ImageSize> rawSize(std::string_view bytes, const std::string& where) {
-  const auto raw = opened(bytes, where);
+  const auto raw = openedRaw(bytes, where);
   if (!raw) return raw.error();
   if (!statesThatItIsWhole(**raw, bytes.size()))
     if (const auto whole = unpack(**raw, where); !whole) return whole.error();
@@ -91,7 +91,7 @@ Result<ImageSize> rawSize(std::string_view bytes, const std::string& where) {
 }
 
 Result<cv::Mat> decodeRaw(std::string_view bytes, const std::string& where) {
-  const auto raw = opened(bytes, where);
+  const auto raw = openedRaw(bytes, where);
   if (!raw) return raw.error();
   if (const auto whole = unpack(**raw, where); !whole) return whole.error();
   if ((*raw)->dcraw_process() != LIBRAW_SUCCESS) return damagedRaw(where);

@@ -134,7 +134,8 @@ TEST_F(SwappedNumbers, AreThoseOfTheOtherProjectWhereOneOfThemGoesOver) {
 TEST_F(SwappedNumbers, StayWhereAPersonSaysSoAndNobodyAsksAgain) {
   swap();
   settle({{"number/" + y_, take(Take::A)}});
-  for (const upkeep::Project* project : {&*project_, static_cast<const upkeep::Project*>(&b_)}) {
+  const std::vector<const upkeep::Project*> both = {&*project_, &b_};
+  for (const upkeep::Project* project : both) {
     EXPECT_EQ(saidOf(*project, x_, "number"), kFirst);
     EXPECT_EQ(saidOf(*project, y_, "number"), "N3");
   }

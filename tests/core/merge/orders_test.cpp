@@ -111,9 +111,9 @@ TEST_P(Orders, GiveEachNumberToOneSherdThatSomeProjectGaveItTo) {
     say(*project, newSherd(*project, context13, false), "number", "N3");
   const auto numbersIn = [](const upkeep::Project& project) {
     std::map<std::string, std::string> numbers;  // by sherd
-    const sherds::Sherds all(project.catalogue());
-    for (const store::SherdRow row : valueIn(all.rows(sherds::Filter{}, {}))) {
-      const records::SherdRecord sherd = valueIn(all.get(row));
+    const sherds::Sherds held(project.catalogue());
+    for (const store::SherdRow row : valueIn(held.rows(sherds::Filter{}, {}))) {
+      const records::SherdRecord sherd = valueIn(held.get(row));
       if (!sherd.number.empty()) numbers[sherd.id] = sherd.number;
     }
     return numbers;

@@ -18,7 +18,11 @@ pid_t startProgram(const std::vector<std::string>& arguments, const fs::path& er
   std::vector<std::string> words{OSTRAKA_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   Environment all = environment;
-  for (char** own = environ; *own != nullptr; ++own) all.emplace_back(*own);
+  for (char** own = environ; *own != nullptr; ++own) {  // of two of one name, which counts is open
+    const std::string variable = *own, name = variable.substr(0, variable.find('=') + 1);
+    if (std::ranges::none_of(environment, [&](const auto& of) { return of.starts_with(name); }))
+      all.push_back(variable);
+  }
   std::vector<char*> argv, envp;
   for (std::string& word : words) argv.push_back(word.data());
   for (std::string& variable : all) envp.push_back(variable.data());

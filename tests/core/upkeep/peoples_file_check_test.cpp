@@ -4,6 +4,7 @@
 
 #include "base/uuid.h"
 #include "batch/peoples_files.h"
+#include "catalogue/files.h"
 #include "catalogue/settings.h"
 #include "decisions/decisions.h"
 #include "decisions/mask_strokes.h"
@@ -22,7 +23,14 @@ using testing::IsEmpty;
 class CheckedDecisions : public catalogue::SmallProject {
  protected:
   CheckedDecisions() {
-    fs::create_directories(results());
+    records::FileRecord report;  // so that its results are entered
+    report.path = "results/B0002/report.json";
+    report.role = "report";
+    report.sha256 = sha256("{}");
+    report.bytes = 2;
+    report.batch = second_;
+    EXPECT_TRUE(writeFileAtomically(project_->folder() / report.path, "{}"));
+    EXPECT_TRUE(catalogue::Files(catalogue()).save(report, anna));
     decide(1);
   }
   void decide(int index) {
@@ -58,6 +66,7 @@ TEST_F(CheckedDecisions, AreWholeWhereTheFileHasThemAmongOthers) {
   EXPECT_THAT(damaged(), IsEmpty());
   decisions::PairDecision more;
   more.kind = decisions::DecisionKind::Aside;
+  more.by = "AP";
   more.scans = {{batch::Side::Back, "b001", {1, 2}, {}}};
   ASSERT_TRUE(decisions::appendDecision(results(), more));
   EXPECT_THAT(damaged(), IsEmpty()) << "one that the catalogue has not learned of yet";

@@ -29,6 +29,7 @@ std::string overlay(const PointCloud& front, const PointCloud& back, const Eigen
       low = low.cwiseMin(flat(p)), high = high.cwiseMax(flat(p));
     }
   }
+  if (low.x() > high.x()) return {};  // no point, as of a slice through a gap
   const double scale = (kWidth - 2 * kMargin) / std::max(1e-9, (high - low).maxCoeff());
   const double height = (high.y() - low.y()) * scale + 2 * kMargin;
   std::string svg = "<svg width=\"" + fixed(kWidth, 0) + "\" height=\"" + fixed(height, 0) +

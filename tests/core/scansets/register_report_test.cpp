@@ -74,10 +74,11 @@ TEST_F(RegisterReport, HasTheFiguresOfEachPair) {
 // What a person is told of the uncertainty is twice its sigma.
 TEST_F(RegisterReport, ShowsThemWithTheirUnitsAndTheNamesLetterByLetter) {
   write();
-  for (const char* text : {"<td>a&lt;b&gt;&amp;1</td>", "98.44 %", "0.063 mm", "75 %", "0.25 mm",
+  for (const char* text : {"<td>a&lt;b&gt;&amp;1</td>", "98.44 %", "0.062 mm", "75 %", "0.25 mm",
                            "Certain.", "Backs without a front: y."})
     EXPECT_THAT(page(), HasSubstr(text));
   EXPECT_THAT(page(), Not(HasSubstr("a<b>")));
+  EXPECT_THAT(page(), Not(HasSubstr("height=\"-"))) << "of a slice without points";
 }
 
 // 0 mm would read as a perfect fit.

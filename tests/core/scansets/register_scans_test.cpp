@@ -202,7 +202,7 @@ TEST_F(RegisterScans, StoppedCanBeRepeatedAndLeavesNothingThatLooksWhole) {
   EXPECT_TRUE(fs::exists(folder / "out/report.json")) << "and it is left alone";
 }
 
-TEST(RegisterReport, SaysNothingWhereNoFracturesWereCompared) {
+TEST(FractureWords, SaysNothingWhereNoFracturesWereCompared) {
   RegisterSummary::Pair pair;
   EXPECT_TRUE(toJson(pair).at("fracture_rms_mm").is_null());
   EXPECT_TRUE(toJson(pair).at("fracture_overlap").is_null());

@@ -1,9 +1,9 @@
 #include "calibration/board_folder.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include "files/files.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::calibration {
 namespace {
@@ -12,14 +12,14 @@ namespace fs = std::filesystem;
 
 // Markers that touch have no corner that could be found, and the gap is divided by.
 TEST(BoardFolder, RefusesAGridWithoutGaps) {
-  const fs::path folder = fs::temp_directory_path() / (std::to_string(::getpid()) + "-grid");
+  const TemporaryFolder board;
+  const fs::path folder = board.path();
   ASSERT_TRUE(writeFileAtomically(folder / "board.json",
                                   R"({"type":"aruco_grid","dictionary":"DICT_4X4_50","markers_x":5,
                                   "markers_y":7,"marker_length":20,"marker_separation":0})")
                   .has_value());
   QuietProgress quiet;
   const auto read = readBoardFolder(folder, 1, quiet, {});
-  fs::remove_all(folder);
   ASSERT_FALSE(read.has_value());
   EXPECT_EQ(read.error().code, ErrorCode::UnusableInput);
   EXPECT_THAT(read.error().sentence(), testing::HasSubstr("marker_separation"));
@@ -28,7 +28,8 @@ TEST(BoardFolder, RefusesAGridWithoutGaps) {
 
 // A card that a Mac wrote holds a hidden file beside each picture, which is none.
 TEST(BoardFolder, ReadsThePicturesInTheOrderOfTheirNumbersAndNoHiddenFiles) {
-  const fs::path folder = fs::temp_directory_path() / (std::to_string(::getpid()) + "-board");
+  const TemporaryFolder board;
+  const fs::path folder = board.path();
   ASSERT_TRUE(writeFileAtomically(folder / "board.json",
                                   R"({"type":"aruco_grid","dictionary":"DICT_4X4_50","markers_x":5,
                                   "markers_y":7,"marker_length":20,"marker_separation":5})")
@@ -37,7 +38,6 @@ TEST(BoardFolder, ReadsThePicturesInTheOrderOfTheirNumbersAndNoHiddenFiles) {
     ASSERT_TRUE(writeFileAtomically(folder / "calib" / name, "no picture").has_value());
   QuietProgress quiet;
   const auto read = readBoardFolder(folder, 1, quiet, {});
-  fs::remove_all(folder);
   ASSERT_TRUE(read.has_value()) << read.error().sentence();
   const std::vector<Message>& set_aside = read->at(0).set_aside;
   ASSERT_EQ(set_aside.size(), 2U);

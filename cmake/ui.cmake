@@ -16,35 +16,30 @@ function(ostraka_ui name)
   endforeach()
 endfunction()
 
-# ostraka_ui_test(review [WINDOW] [SHARED] SOURCES a_test.cpp LINKS ostraka_ui_review)
-# One QtTest program per source. WINDOW: in a real window on a virtual screen with a window manager;
-# otherwise without any display.
+# ostraka_ui_test(queue OFFSCREEN rows_test.cpp WINDOW screen_test.cpp LINKS ostraka_ui_queue)
+# One QtTest program per folder (tests/ui/program.h), and one test per source, which it runs in a
+# process of its own. WINDOW: in a real window on a virtual screen with a window manager; OFFSCREEN:
+# without any display.
 function(ostraka_ui_test name)
-  cmake_parse_arguments(A "WINDOW;SHARED" "" "SOURCES;LINKS" ${ARGN})
-  if(A_SHARED AND NOT EXISTS ${OSTRAKA_SHARED_DIR}/metrics.md)
-    return()
-  endif()
-  foreach(source ${A_SOURCES})
+  cmake_parse_arguments(A "" "" "OFFSCREEN;WINDOW;LINKS" ${ARGN})
+  set(target ui_${name}_test)
+  add_executable(${target} ${A_OFFSCREEN} ${A_WINDOW})
+  set_target_properties(${target} PROPERTIES AUTOMOC ON OSTRAKA_LEVEL 0)
+  target_link_libraries(${target} PRIVATE ${A_LINKS} ostraka_ui_program)
+  target_precompile_headers(${target} REUSE_FROM ostraka_qt_tests)
+  set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp
+    PROPERTIES SKIP_PRECOMPILE_HEADERS ON)  # it is empty, and reading them takes two seconds
+  foreach(source ${A_OFFSCREEN} ${A_WINDOW})
     get_filename_component(stem ${source} NAME_WE)
-    set(target ui_${name}_${stem})
-    add_executable(${target} ${source})
-    set_target_properties(${target} PROPERTIES AUTOMOC ON OSTRAKA_LEVEL 0)
-    target_link_libraries(${target} PRIVATE ${A_LINKS} ostraka_qt Qt6::Test)
-    target_precompile_headers(${target} REUSE_FROM ostraka_qt_tests)
-    set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp
-      PROPERTIES SKIP_PRECOMPILE_HEADERS ON)  # it is empty, and reading them takes two seconds
-    target_compile_definitions(${target} PRIVATE OSTRAKA_SHARED_DIR="${OSTRAKA_SHARED_DIR}"
-      OSTRAKA_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
-    if(A_WINDOW)
-      add_test(NAME ${target} COMMAND ${CMAKE_SOURCE_DIR}/tests/ui/on_a_screen.sh $<TARGET_FILE:${target}>)
+    set(test ui_${name}_${stem})
+    set(environment ${ostraka_no_wait})
+    if(source IN_LIST A_WINDOW)
+      set(screen ${CMAKE_SOURCE_DIR}/tests/ui/on_a_screen.sh)
     else()
-      add_test(NAME ${target} COMMAND ${target})
-      set_tests_properties(${target} PROPERTIES ENVIRONMENT QT_QPA_PLATFORM=offscreen)
+      set(screen)
+      list(APPEND environment QT_QPA_PLATFORM=offscreen)
     endif()
-    set_property(TEST ${target} APPEND PROPERTY ENVIRONMENT ${ostraka_no_wait})
-    set_tests_properties(${target} PROPERTIES TIMEOUT 300)
-    if(A_SHARED)
-      set_tests_properties(${target} PROPERTIES LABELS shared TIMEOUT 900)
-    endif()
+    add_test(NAME ${test} COMMAND ${screen} $<TARGET_FILE:${target}> ${stem})
+    set_tests_properties(${test} PROPERTIES ENVIRONMENT "${environment}" TIMEOUT 300)
   endforeach()
 endfunction()

@@ -3,7 +3,7 @@
 # of 1280 x 720 at 150 % to a 4K screen at 200 %.
 # Usage: screens.sh BUILD PROJECT OUT   (PROJECT: with processed batches; it is copied for each run)
 set -eu
-test=$(realpath "$1")/tests/ui/main/ui_main_screens_test
+test=$(realpath "$1")/tests/ui/main/ui_main_test
 project=$(realpath "$2")
 mkdir -p "$3"
 out=$(realpath "$3")
@@ -19,7 +19,8 @@ for language in ${LANGUAGES:-en de}; do
     OSTRAKA_SCREENSHOTS=$folder OSTRAKA_PROJECT=$work/Ostraka/Hill OSTRAKA_SCREENSHOTS_TEXT=100 \
       OSTRAKA_SCREENSHOTS_WAIT=${WAIT:-1500} OSTRAKA_SCREENSHOTS_LANGUAGE=$language \
       OSTRAKA_SCREENSHOTS_SIZE=$size QT_SCALE_FACTOR=$scale \
-      xvfb-run -a -s '-screen 0 3840x2160x24' "$test" picturesOfAllScreens > "$folder/log.txt" 2>&1 ||
+      xvfb-run -a -s '-screen 0 3840x2160x24' "$test" screens_test picturesOfAllScreens \
+      > "$folder/log.txt" 2>&1 ||
       echo "$folder: see its log.txt" >&2
   done <<SIZES
 1280x720 1280x720 1

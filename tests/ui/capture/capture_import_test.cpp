@@ -13,6 +13,7 @@
 
 #include "capture_bench.h"
 #include "catalogue/batches.h"
+#include "tests/ui/program.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/rig_page.h"
 #include "ui/frame/project_session.h"
@@ -238,5 +239,5 @@ class CaptureImportTest : public CaptureBench {
   std::unique_ptr<QTemporaryDir> disk_;
 };
 
-QTEST_MAIN(CaptureImportTest)
+OSTRAKA_UI_TEST(CaptureImportTest)
 #include "capture_import_test.moc"

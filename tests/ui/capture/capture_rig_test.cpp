@@ -9,6 +9,7 @@
 
 #include "capture_bench.h"
 #include "catalogue/settings.h"
+#include "tests/ui/program.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/rig_page.h"
 #include "ui/frame/project_session.h"
@@ -109,5 +110,5 @@ class CaptureRigTest : public CaptureBench {
   }
 };
 
-QTEST_MAIN(CaptureRigTest)
+OSTRAKA_UI_TEST(CaptureRigTest)
 #include "capture_rig_test.moc"

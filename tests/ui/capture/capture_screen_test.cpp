@@ -20,6 +20,7 @@
 #include "records/sherd.h"
 #include "rig/rig.h"
 #include "sherds/sherds.h"
+#include "tests/ui/program.h"
 #include "ui/capture/capture_foot.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/stop_board.h"
@@ -479,5 +480,5 @@ class CaptureScreenTest : public CaptureBench {
   }
 };
 
-QTEST_MAIN(CaptureScreenTest)
+OSTRAKA_UI_TEST(CaptureScreenTest)
 #include "capture_screen_test.moc"

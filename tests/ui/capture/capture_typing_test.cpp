@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "flat_rig.h"
 #include "sherds/typed_numbers.h"
+#include "tests/ui/program.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
@@ -166,5 +167,5 @@ class CaptureTypingTest : public CaptureBench {
   }
 };
 
-QTEST_MAIN(CaptureTypingTest)
+OSTRAKA_UI_TEST(CaptureTypingTest)
 #include "capture_typing_test.moc"

@@ -21,6 +21,7 @@
 #include "records/sherd.h"
 #include "sherds/sherd_changes.h"
 #include "store/database.h"
+#include "tests/ui/program.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/model_pane.h"
 #include "ui/look/look.h"
@@ -484,10 +485,5 @@ class CatalogueScreenTest : public CatalogueWindow {
   }
 };
 
-int main(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  CatalogueScreenTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(CatalogueScreenTest)
 #include "catalogue_screen_test.moc"

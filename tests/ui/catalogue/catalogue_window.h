@@ -12,6 +12,9 @@ namespace ostraka::ui {
 
 /// The catalogue's screen in a window, with 40 sherds.
 class CatalogueWindow : public QObject {
+ public:
+  static void initMain() { prepareOpenGl(); }
+
  protected:
   template <class T>
   T* child(const char* name) {

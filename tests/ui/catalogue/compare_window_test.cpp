@@ -11,6 +11,7 @@
 #include "../names.h"
 #include "catalogue_window.h"
 #include "sherds/sherd_changes.h"
+#include "tests/ui/program.h"
 #include "ui/catalogue/model_pane.h"
 
 using namespace ostraka;
@@ -146,10 +147,5 @@ class CompareWindowTest : public CatalogueWindow {
   }
 };
 
-int main(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  CompareWindowTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(CompareWindowTest)
 #include "compare_window_test.moc"

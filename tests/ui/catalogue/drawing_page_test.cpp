@@ -19,6 +19,7 @@
 #include "paper/sheet.h"
 #include "sample_project.h"
 #include "sherds/sherds.h"
+#include "tests/ui/program.h"
 #include "ui/catalogue/sheet_view.h"
 #include "ui/look/look.h"
 
@@ -307,5 +308,5 @@ class DrawingPageTest : public QObject {
   }
 };
 
-QTEST_MAIN(DrawingPageTest)
+OSTRAKA_UI_TEST(DrawingPageTest)
 #include "drawing_page_test.moc"

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "catalogue_window.h"
+#include "tests/ui/program.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -41,10 +42,5 @@ class FrozenColumnTest : public CatalogueWindow {
   }
 };
 
-int main(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  FrozenColumnTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(FrozenColumnTest)
 #include "frozen_column_test.moc"

@@ -5,6 +5,7 @@
 
 #include "catalogue_window.h"
 #include "cloud/glb.h"
+#include "tests/ui/program.h"
 #include "texture/texture.h"
 
 using namespace ostraka;
@@ -64,10 +65,5 @@ class ModelPaneTest : public CatalogueWindow {
   }
 };
 
-int main(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  ModelPaneTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(ModelPaneTest)
 #include "model_pane_test.moc"

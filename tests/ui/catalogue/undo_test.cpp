@@ -13,6 +13,7 @@
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/sherd_changes.h"
+#include "tests/ui/program.h"
 #include "ui/catalogue/catalogue_screen.h"
 
 using namespace ostraka;
@@ -124,10 +125,5 @@ class UndoTest : public CatalogueWindow {
   }
 };
 
-int main(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  UndoTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(UndoTest)
 #include "undo_test.moc"

@@ -15,6 +15,7 @@
 #include "../named.h"
 #include "catalogue/batches.h"
 #include "sample_project.h"
+#include "tests/ui/program.h"
 #include "ui/look/look.h"
 #include "upkeep/project.h"
 
@@ -367,5 +368,5 @@ class ExportScreenTest : public QObject {
   }
 };
 
-QTEST_MAIN(ExportScreenTest)
+OSTRAKA_UI_TEST(ExportScreenTest)
 #include "export_screen_test.moc"

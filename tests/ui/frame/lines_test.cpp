@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "../named.h"
+#include "tests/ui/program.h"
 
 namespace ostraka::ui {
 
@@ -37,7 +38,8 @@ class LinesTest : public QObject {
   }
 };
 
+OSTRAKA_UI_TEST(LinesTest)
+
 }  // namespace ostraka::ui
 
-QTEST_MAIN(ostraka::ui::LinesTest)
 #include "lines_test.moc"

@@ -8,6 +8,7 @@
 #include "../project_in.h"
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
+#include "tests/ui/program.h"
 #include "ui/jobs/job.h"
 #include "upkeep/project.h"
 
@@ -83,5 +84,5 @@ class ProjectSessionTest : public QObject {
   std::unique_ptr<ProjectSession> session_;
 };
 
-QTEST_GUILESS_MAIN(ProjectSessionTest)
+OSTRAKA_UI_TEST(ProjectSessionTest)
 #include "project_session_test.moc"

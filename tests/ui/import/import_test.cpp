@@ -3,7 +3,6 @@
 #include <QImage>
 #include <QSignalSpy>
 #include <QTranslator>
-#include <QtTest>
 
 #include "../project_in.h"
 #include "batch/batch.h"
@@ -13,6 +12,7 @@
 #include "files/files.h"
 #include "files/hold.h"
 #include "intake/side_photographs.h"
+#include "tests/ui/program.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/batch_importer.h"
 #include "virtualrig/batch_files.h"
@@ -496,5 +496,5 @@ class ImportTest : public QObject {
   std::unique_ptr<ProjectSession> session_;
 };
 
-QTEST_GUILESS_MAIN(ImportTest)
+OSTRAKA_UI_TEST(ImportTest)
 #include "import_test.moc"

@@ -4,6 +4,7 @@
 
 #include "../project_in.h"
 #include "catalogue/places.h"
+#include "tests/ui/program.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -102,5 +103,5 @@ class PlaceTextTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PlaceTextTest)
+OSTRAKA_UI_TEST(PlaceTextTest)
 #include "place_text_test.moc"

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/ui/program.h"
+
 using namespace ostraka;
 using namespace ostraka::ui;
 
@@ -274,5 +276,5 @@ class JobTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(JobTest)
+OSTRAKA_UI_TEST(JobTest)
 #include "job_test.moc"

@@ -3,6 +3,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "tests/ui/program.h"
 #include "ui/jobs/job.h"
 
 using namespace ostraka;
@@ -64,5 +65,5 @@ class QuestionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(QuestionTest)
+OSTRAKA_UI_TEST(QuestionTest)
 #include "question_test.moc"

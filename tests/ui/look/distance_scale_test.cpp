@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/ui/program.h"
 #include "ui/look/distance_scale.h"
 #include "ui/look/state_colours.h"
 
@@ -44,7 +45,8 @@ class DistanceScaleTest : public QObject {
   }
 };
 
+OSTRAKA_UI_TEST(DistanceScaleTest)
+
 }  // namespace ostraka::ui
 
-QTEST_MAIN(ostraka::ui::DistanceScaleTest)
 #include "distance_scale_test.moc"

@@ -16,6 +16,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "tests/ui/program.h"
 #include "ui/frame/lines.h"
 #include "ui/look/state_colours.h"
 #include "ui/widgets/big_button.h"
@@ -316,5 +317,5 @@ class LookTest : public QObject {
   }
 };
 
-QTEST_MAIN(LookTest)
+OSTRAKA_UI_TEST(LookTest)
 #include "look_test.moc"

@@ -16,6 +16,7 @@
 #include "records/sherd.h"
 #include "sherds/filter.h"
 #include "sherds/sherds.h"
+#include "tests/ui/program.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
@@ -50,6 +51,7 @@ class FirstRunTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void initTestCase() { applyLook(*qApp, Theme::Light, 100); }
   void aBatchFromNewProjectToTheCatalogue() {
     const Home home;
     ThreadedJobRunner jobs;
@@ -172,10 +174,5 @@ class FirstRunTest : public QObject {
   bool doubtful_ = false;
 };
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  applyLook(application, Theme::Light, 100);
-  FirstRunTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(FirstRunTest)
 #include "first_run_test.moc"

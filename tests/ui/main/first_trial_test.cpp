@@ -24,6 +24,7 @@
 #include "person.h"
 #include "records/sherd.h"
 #include "sherds/sherds.h"
+#include "tests/ui/program.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
@@ -46,10 +47,17 @@ using namespace ostraka::ui;
 class FirstTrialTest : public QObject {
   Q_OBJECT
 
+ public:
+  static void initMain() { prepareOpenGl(); }
+
  public slots:
   void take(const QUrl& url) { opened_ = url.toLocalFile(); }
 
  private slots:
+  void initTestCase() {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    applyLook(*qApp, Theme::Light, 100);
+  }
   void init() {
     home_ = std::make_unique<Home>();
     jobs_ = std::make_unique<ThreadedJobRunner>();
@@ -365,12 +373,5 @@ class FirstTrialTest : public QObject {
   QString opened_;  // outside of the window
 };
 
-int main(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-  applyLook(application, Theme::Light, 100);
-  FirstTrialTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(FirstTrialTest)
 #include "first_trial_test.moc"

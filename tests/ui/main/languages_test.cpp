@@ -5,6 +5,7 @@
 #include <QTranslator>
 
 #include "person.h"
+#include "tests/ui/program.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
@@ -40,6 +41,7 @@ class LanguagesTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void initTestCase() { applyLook(*qApp, Theme::Light, 100); }
   void theWindowFitsALaptop_data() {
     QTest::addColumn<QString>("language");
     for (const char* language : {"en", "de", "fr", "es", "el", "tr", "hy"})
@@ -90,10 +92,5 @@ class LanguagesTest : public QObject {
   }
 };
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  applyLook(application, Theme::Light, 100);
-  LanguagesTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(LanguagesTest)
 #include "languages_test.moc"

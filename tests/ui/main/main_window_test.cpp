@@ -19,6 +19,7 @@
 #include "person.h"
 #include "records/sherd.h"
 #include "sherds/sherds.h"
+#include "tests/ui/program.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
@@ -427,5 +428,5 @@ class MainWindowTest : public QObject {
   ThreadedJobRunner jobs_;
 };
 
-QTEST_MAIN(MainWindowTest)
+OSTRAKA_UI_TEST(MainWindowTest)
 #include "main_window_test.moc"

@@ -8,6 +8,7 @@
 #include <QTextBrowser>
 
 #include "person.h"
+#include "tests/ui/program.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
@@ -48,6 +49,7 @@ class ManualTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void initTestCase() { applyLook(*qApp, Theme::Light, 100); }
   void init() {
     home_ = std::make_unique<Home>();
     jobs_ = std::make_unique<ThreadedJobRunner>();
@@ -184,10 +186,5 @@ class ManualTest : public QObject {
   std::unique_ptr<MainWindow> window_;
 };
 
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  applyLook(application, Theme::Light, 100);
-  ManualTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(ManualTest)
 #include "manual_test.moc"

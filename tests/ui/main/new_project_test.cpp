@@ -4,6 +4,7 @@
 
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
+#include "tests/ui/program.h"
 #include "ui/wizard/rig_source.h"
 #include "upkeep/project.h"
 
@@ -150,5 +151,5 @@ class NewProjectTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(NewProjectTest)
+OSTRAKA_UI_TEST(NewProjectTest)
 #include "new_project_test.moc"

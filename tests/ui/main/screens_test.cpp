@@ -21,6 +21,7 @@
 #include "catalogue/batches.h"
 #include "catalogue/settings.h"
 #include "person.h"
+#include "tests/ui/program.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
@@ -45,7 +46,11 @@ using namespace ostraka::ui;
 class ScreensTest : public QObject {
   Q_OBJECT
 
+ public:
+  static void initMain() { prepareOpenGl(); }
+
  private slots:
+  void initTestCase() { applyLook(*qApp, Theme::Light, 100); }
   void init() {
     home_ = std::make_unique<Home>();
     jobs_ = std::make_unique<ThreadedJobRunner>();
@@ -472,12 +477,6 @@ class ScreensTest : public QObject {
   QString folder_;  ///< of the pictures; empty: none are kept
 };
 
-int main(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  applyLook(application, Theme::Light, 100);
-  ScreensTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(ScreensTest)
 #include "records/records.h"
 #include "screens_test.moc"

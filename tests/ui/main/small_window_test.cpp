@@ -11,6 +11,7 @@
 #include "person.h"
 #include "sherds/sherds.h"
 #include "synthetic_out.h"
+#include "tests/ui/program.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
@@ -47,7 +48,11 @@ std::string pictureOfAPlate() {
 class SmallWindowTest : public QObject {
   Q_OBJECT
 
+ public:
+  static void initMain() { prepareOpenGl(); }
+
  private slots:
+  void initTestCase() { applyLook(*qApp, Theme::Light, 100); }
   void init() {
     home_ = std::make_unique<Home>();
     jobs_ = std::make_unique<ThreadedJobRunner>();
@@ -279,13 +284,7 @@ class SmallWindowTest : public QObject {
   std::unique_ptr<FakeRig> rig_;
 };
 
-int main(int argc, char** argv) {
-  prepareOpenGl();
-  QApplication application(argc, argv);
-  applyLook(application, Theme::Light, 100);
-  SmallWindowTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+OSTRAKA_UI_TEST(SmallWindowTest)
 #include "records/records.h"
 #include "records/sherd.h"
 #include "small_window_test.moc"

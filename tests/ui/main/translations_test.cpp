@@ -9,25 +9,27 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
+#include "tests/ui/program.h"
+
 namespace {
 
-struct Message {
+struct TranslatedText {
   QString context, source;
   QStringList forms;
   bool unfinished = false;
 };
 
-QList<Message> messagesOf(const QString& language) {
+QList<TranslatedText> messagesOf(const QString& language) {
   QFile file(QStringLiteral(OSTRAKA_TRANSLATIONS "/ostraka_%1.ts").arg(language));
   if (!file.open(QIODevice::ReadOnly)) qFatal("%s", qPrintable(file.fileName()));
   QXmlStreamReader xml(&file);
-  QList<Message> messages;
+  QList<TranslatedText> messages;
   QString context;
   while (!xml.atEnd()) {
     if (xml.readNext() != QXmlStreamReader::StartElement) continue;
     const auto name = xml.name();
     if (name == QLatin1String("name")) context = xml.readElementText();
-    if (name == QLatin1String("message")) messages.append(Message{context, {}, {}, false});
+    if (name == QLatin1String("message")) messages.append(TranslatedText{context, {}, {}, false});
     if (name == QLatin1String("source")) messages.last().source = xml.readElementText();
     if (name == QLatin1String("numerusform")) messages.last().forms << xml.readElementText();
     if (name == QLatin1String("translation")) {
@@ -71,7 +73,7 @@ class TranslationsTest : public QObject {
     static const QRegularExpression words(QStringLiteral("^[A-Z][a-z][^+]*$"));
     static const QRegularExpression end(QStringLiteral("[…:.]+$"));
     QSet<QString> texts;
-    for (const Message& message : messagesOf(QStringLiteral("de")))
+    for (const TranslatedText& message : messagesOf(QStringLiteral("de")))
       texts << QString(message.source).remove(QLatin1Char('&')).remove(end);
     int names = 0;
     QDirIterator pages(QStringLiteral(OSTRAKA_SOURCES "/../resources/manual"),
@@ -93,9 +95,9 @@ class TranslationsTest : public QObject {
   void everyTextIsTranslatedInAllItsForms_data() { languages_data(); }
   void everyTextIsTranslatedInAllItsForms() {
     QFETCH(QString, language);
-    const QList<Message> messages = messagesOf(language);
+    const QList<TranslatedText> messages = messagesOf(language);
     QVERIFY(messages.size() > 500);
-    for (const Message& message : messages) {
+    for (const TranslatedText& message : messages) {
       const int wanted = message.source.contains(QLatin1String("%n")) && language != "tr" ? 2 : 1;
       QVERIFY2(!message.unfinished && message.forms.size() == wanted,
                qPrintable(message.context + ": " + message.source));
@@ -105,9 +107,9 @@ class TranslationsTest : public QObject {
   }
 
   void englishHasOneAndManyOfEachCount() {
-    const QList<Message> messages = messagesOf(QStringLiteral("en"));
+    const QList<TranslatedText> messages = messagesOf(QStringLiteral("en"));
     QSet<QString> known;
-    for (const Message& message : messages) {
+    for (const TranslatedText& message : messages) {
       known << message.context + message.source;
       QVERIFY2(!message.unfinished && message.forms.size() == 2, qPrintable(message.source));
       for (const QString& form : message.forms)
@@ -115,7 +117,7 @@ class TranslationsTest : public QObject {
                  qPrintable(form));
     }
     int counts = 0;
-    for (const Message& message : messagesOf(QStringLiteral("de"))) {
+    for (const TranslatedText& message : messagesOf(QStringLiteral("de"))) {
       if (!message.source.contains(QLatin1String("%n"))) continue;
       ++counts;
       QVERIFY2(known.contains(message.context + message.source), qPrintable(message.source));
@@ -129,7 +131,7 @@ class TranslationsTest : public QObject {
     QFETCH(QString, language);
     static const QRegularExpression letter(QStringLiteral("&([^& ])"));
     QHash<QString, QString> owners;
-    for (const Message& message : messagesOf(language)) {
+    for (const TranslatedText& message : messagesOf(language)) {
       const bool wanted = letter.match(message.source).hasMatch();
       const auto found = letter.match(message.forms.value(0));
       QVERIFY2(wanted == found.hasMatch(), qPrintable(message.source));
@@ -144,7 +146,7 @@ class TranslationsTest : public QObject {
   // A text that is looked up under a name that no file has would stay English in all languages.
   void theNamesThatTextsAreLookedUpUnderAreThere() {
     QSet<QString> known;
-    for (const Message& message : messagesOf(QStringLiteral("de"))) known << message.context;
+    for (const TranslatedText& message : messagesOf(QStringLiteral("de"))) known << message.context;
     static const QRegularExpression asked(
         QStringLiteral("translate\\(\\s*\"([^\"]+)\"|TRANSLATE_NOOP\\(\"([^\"]+)\""));
     int seen = 0;
@@ -169,14 +171,14 @@ class TranslationsTest : public QObject {
         QStringLiteral("\\b(teller|drehteller|markenteller|drehscheibe|festplatte|durchsicht|"
                        "ladung)(s|n|en)?\\b"),
         QRegularExpression::CaseInsensitiveOption);
-    for (const Message& message : messagesOf(QStringLiteral("de")))
+    for (const TranslatedText& message : messagesOf(QStringLiteral("de")))
       for (const QString& form : message.forms) QVERIFY2(!form.contains(other), qPrintable(form));
   }
 
   void theValuesHaveTheirPlaces_data() { languages_data(); }
   void theValuesHaveTheirPlaces() {
     QFETCH(QString, language);
-    for (const Message& message : messagesOf(language))
+    for (const TranslatedText& message : messagesOf(language))
       for (const QString& form : message.unfinished ? QStringList() : message.forms) {
         QStringList wanted = placesIn(message.source), found = placesIn(form);
         wanted.removeAll(QStringLiteral("%n"));  // 'one' may be a word
@@ -186,5 +188,5 @@ class TranslationsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TranslationsTest)
+OSTRAKA_UI_TEST(TranslationsTest)
 #include "translations_test.moc"

@@ -17,6 +17,7 @@
 #include "sherds/filter.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
+#include "tests/ui/program.h"
 #include "ui/import/place_text.h"
 
 namespace ostraka::ui {
@@ -294,7 +295,8 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   QCOMPARE(wordsOf(map.front.marks[0], shown), QStringLiteral("8, shoot again"));
 }
 
+OSTRAKA_UI_TEST(CatalogueLabelsTest)
+
 }  // namespace ostraka::ui
 
-QTEST_MAIN(ostraka::ui::CatalogueLabelsTest)
 #include "catalogue_labels_test.moc"

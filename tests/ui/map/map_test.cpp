@@ -14,6 +14,7 @@
 #include "catalogue/batches.h"
 #include "files/files.h"
 #include "synthetic_out.h"
+#include "tests/ui/program.h"
 #include "ui/frame/project_session.h"
 #include "ui/map/map_screen.h"
 #include "ui/map/map_view.h"
@@ -373,7 +374,8 @@ void MapTest::noNumberCoversAnother() {
   }
 }
 
+OSTRAKA_UI_TEST(MapTest)
+
 }  // namespace ostraka::ui
 
-QTEST_MAIN(ostraka::ui::MapTest)
 #include "map_test.moc"

@@ -24,6 +24,7 @@
 #include "files/files.h"
 #include "review/review.h"
 #include "synthetic_out.h"
+#include "tests/ui/program.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/masks/mask_model.h"
@@ -284,5 +285,5 @@ class MaskPageTest : public QObject {
   fs::path out_;
 };
 
-QTEST_MAIN(MaskPageTest)
+OSTRAKA_UI_TEST(MaskPageTest)
 #include "mask_page_test.moc"

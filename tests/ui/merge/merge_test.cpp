@@ -17,6 +17,7 @@
 #include "files/files.h"
 #include "sample_project.h"
 #include "sherds/sherd_changes.h"
+#include "tests/ui/program.h"
 #include "ui/catalogue/catalogue_screen.h"
 #include "ui/look/look.h"
 #include "ui/merge/merge_dialog.h"
@@ -217,5 +218,5 @@ class MergeTest : public QObject {
   }
 };
 
-QTEST_MAIN(MergeTest)
+OSTRAKA_UI_TEST(MergeTest)
 #include "merge_test.moc"

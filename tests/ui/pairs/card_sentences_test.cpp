@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "review_model.h"
+#include "tests/ui/program.h"
 
 namespace ostraka::ui {
 
@@ -169,7 +170,8 @@ void CardSentencesTest::joinedAndCutPiecesWaitForTheComputation() {
   QVERIFY(!waits(1));
 }
 
+OSTRAKA_UI_TEST(CardSentencesTest)
+
 }  // namespace ostraka::ui
 
-QTEST_GUILESS_MAIN(ostraka::ui::CardSentencesTest)
 #include "card_sentences_test.moc"

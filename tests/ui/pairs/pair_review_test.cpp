@@ -9,6 +9,7 @@
 
 #include "files/files.h"
 #include "review_model.h"
+#include "tests/ui/program.h"
 
 namespace ostraka::ui {
 
@@ -443,7 +444,8 @@ void PairReviewTest::aDamagedFileOfDecisionsIsSaidAndKept() {
   QCOMPARE(file.readAll(), QByteArray("{ half"));
 }
 
+OSTRAKA_UI_TEST(PairReviewTest)
+
 }  // namespace ostraka::ui
 
-QTEST_GUILESS_MAIN(ostraka::ui::PairReviewTest)
 #include "pair_review_test.moc"

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "review_model.h"
+#include "tests/ui/program.h"
 
 namespace ostraka::ui {
 
@@ -81,7 +82,8 @@ void UndoneDecisionsTest::whatAnotherDecidedSinceIsNeitherUndoneNorRedone() {
   QCOMPARE(decisions::standing(onDisk()).back().by, std::string("MH"));
 }
 
+OSTRAKA_UI_TEST(UndoneDecisionsTest)
+
 }  // namespace ostraka::ui
 
-QTEST_GUILESS_MAIN(ostraka::ui::UndoneDecisionsTest)
 #include "undone_decisions_test.moc"

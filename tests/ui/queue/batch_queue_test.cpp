@@ -14,6 +14,7 @@
 #include "queue_bench.h"
 #include "records/records.h"
 #include "store/database.h"
+#include "tests/ui/program.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -463,5 +464,5 @@ class BatchQueueTest : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(BatchQueueTest)
+OSTRAKA_UI_TEST(BatchQueueTest)
 #include "batch_queue_test.moc"

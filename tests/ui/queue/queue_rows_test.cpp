@@ -6,6 +6,7 @@
 #include "files/files.h"
 #include "queue_bench.h"
 #include "records/records.h"
+#include "tests/ui/program.h"
 #include "ui/queue/batch_queue.h"
 
 using namespace ostraka;
@@ -110,5 +111,5 @@ class QueueRowsTest : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(QueueRowsTest)
+OSTRAKA_UI_TEST(QueueRowsTest)
 #include "queue_rows_test.moc"

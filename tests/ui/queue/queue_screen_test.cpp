@@ -26,6 +26,7 @@
 #include "files/files.h"
 #include "intake/side_photographs.h"
 #include "paper/report_page.h"
+#include "tests/ui/program.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/batch_importer.h"
 #include "ui/queue/batch_computation.h"
@@ -384,5 +385,5 @@ class QueueScreenTest : public QObject {
   QUrl opened_;
 };
 
-QTEST_MAIN(QueueScreenTest)
+OSTRAKA_UI_TEST(QueueScreenTest)
 #include "queue_screen_test.moc"

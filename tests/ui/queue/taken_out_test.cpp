@@ -7,6 +7,7 @@
 #include "queue_bench.h"
 #include "review/review.h"
 #include "synthetic_out.h"
+#include "tests/ui/program.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -107,5 +108,5 @@ class TakenOutTest : public QObject {
   pipeline::SyntheticOut out_;
 };
 
-QTEST_GUILESS_MAIN(TakenOutTest)
+OSTRAKA_UI_TEST(TakenOutTest)
 #include "taken_out_test.moc"

@@ -10,6 +10,7 @@
 #include "cloud/ply.h"
 #include "files/json.h"
 #include "review_window.h"
+#include "tests/ui/program.h"
 #include "ui/review/picture_pair.h"
 #include "ui/viewport/sherd_view.h"
 #include "ui/viewport/view_overlay.h"
@@ -137,12 +138,8 @@ void ReviewPictureTest::aBatchWithoutAnyLengthIsNotMeasuredInMillimetres() {
   QCOMPARE(view.findChild<ViewOverlay*>()->measure(), QLocale().toString(12.0, 'f', 1));
 }
 
+OSTRAKA_UI_TEST(ReviewPictureTest)
+
 }  // namespace ostraka::ui
 
-int main(int argc, char** argv) {
-  ostraka::ui::prepareOpenGl();
-  QApplication application(argc, argv);
-  ostraka::ui::ReviewPictureTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "review_picture_test.moc"

@@ -15,12 +15,16 @@
 #include "ui/jobs/job.h"
 #include "ui/pairs/pair_review.h"
 #include "ui/review/review_screen.h"
+#include "ui/viewport/sherd_view.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
 
 /// The screen Review in a real window with real jobs, on made-up batches of look-alikes.
 class ReviewWindow : public QObject {
+ public:
+  static void initMain() { prepareOpenGl(); }
+
  protected:
   void open(int sherds, bool with_project = false) {
     folder_ = std::make_unique<QTemporaryDir>();

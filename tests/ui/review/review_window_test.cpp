@@ -14,6 +14,7 @@
 #include "intake/piece_decisions.h"
 #include "review_window.h"
 #include "sherds/sherds.h"
+#include "tests/ui/program.h"
 #include "ui/look/look.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/review/card_delegate.h"
@@ -481,14 +482,10 @@ void ReviewWindowTest::everyControlHasAName() {
   QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(QLatin1Char('\n'))));
 }
 
+OSTRAKA_UI_TEST(ReviewWindowTest)
+
 }  // namespace ostraka::ui
 
-int main(int argc, char** argv) {
-  ostraka::ui::prepareOpenGl();
-  QApplication application(argc, argv);
-  ostraka::ui::ReviewWindowTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "records/records.h"
 #include "records/sherd.h"
 #include "review_window_test.moc"

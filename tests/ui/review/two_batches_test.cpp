@@ -11,6 +11,7 @@
 #include "intake/batch_figures.h"
 #include "review_window.h"
 #include "sherds/pair_decisions.h"
+#include "tests/ui/program.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/viewport/sherd_view.h"
 
@@ -245,13 +246,9 @@ void TwoBatchesTest::whatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened() {
   queue.setSession(nullptr);
 }
 
+OSTRAKA_UI_TEST(TwoBatchesTest)
+
 }  // namespace ostraka::ui
 
-int main(int argc, char** argv) {
-  ostraka::ui::prepareOpenGl();
-  QApplication application(argc, argv);
-  ostraka::ui::TwoBatchesTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "records/records.h"
 #include "two_batches_test.moc"

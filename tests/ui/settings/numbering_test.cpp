@@ -17,6 +17,7 @@
 #include "sherds/numbers.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
+#include "tests/ui/program.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/settings/numbering_edit.h"
@@ -370,5 +371,5 @@ class NumberingTest : public QObject {
   store::ContextRow context_;
 };
 
-QTEST_MAIN(NumberingTest)
+OSTRAKA_UI_TEST(NumberingTest)
 #include "numbering_test.moc"

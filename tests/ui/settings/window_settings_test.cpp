@@ -3,6 +3,8 @@
 #include <QSettings>
 #include <QtTest>
 
+#include "tests/ui/program.h"
+
 using namespace ostraka::ui;
 
 class WindowSettingsTest : public QObject {
@@ -99,5 +101,5 @@ class WindowSettingsTest : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(WindowSettingsTest)
+OSTRAKA_UI_TEST(WindowSettingsTest)
 #include "window_settings_test.moc"

@@ -24,6 +24,7 @@
 #include "catalogue_window.h"
 #include "records/records.h"
 #include "records/sherd.h"
+#include "tests/ui/program.h"
 #include "ui/catalogue/catalogue_screen.h"
 #include "ui/sherds/number_delegate.h"
 #include "ui/widgets/elided_button.h"
@@ -479,5 +480,5 @@ class DetailsTest : public CatalogueWindow {
   }
 };
 
-QTEST_MAIN(DetailsTest)
+OSTRAKA_UI_TEST(DetailsTest)
 #include "details_test.moc"

@@ -9,6 +9,8 @@
 #include <QTranslator>
 #include <QtTest>
 
+#include "tests/ui/program.h"
+
 using namespace ostraka::ui;
 
 namespace {
@@ -114,5 +116,5 @@ class FieldWordsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FieldWordsTest)
+OSTRAKA_UI_TEST(FieldWordsTest)
 #include "field_words_test.moc"

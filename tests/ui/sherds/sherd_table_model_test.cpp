@@ -9,6 +9,7 @@
 #include "sherds/measurements.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
+#include "tests/ui/program.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -140,7 +141,7 @@ class SherdTableModelTest : public QObject {
   }
 };
 
-QTEST_MAIN(SherdTableModelTest)
+OSTRAKA_UI_TEST(SherdTableModelTest)
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherd_table_model_test.moc"

@@ -21,6 +21,7 @@
 #include "sample_project.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
+#include "tests/ui/program.h"
 #include "ui/catalogue/catalogue_screen.h"
 #include "ui/look/look.h"
 #include "ui/tables/import_dialog.h"
@@ -448,5 +449,5 @@ class ImportTest : public QObject {
   }
 };
 
-QTEST_MAIN(ImportTest)
+OSTRAKA_UI_TEST(ImportTest)
 #include "import_test.moc"

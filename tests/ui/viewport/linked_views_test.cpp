@@ -6,12 +6,16 @@
 #include <QTest>
 
 #include "tests/core/model/shapes.h"
+#include "tests/ui/program.h"
 #include "ui/viewport/sherd_view.h"
 
 namespace ostraka::ui {
 
 class LinkedViewsTest : public QObject {
   Q_OBJECT
+
+ public:
+  static void initMain() { prepareOpenGl(); }
 
  private slots:
   void init() {
@@ -98,12 +102,8 @@ class LinkedViewsTest : public QObject {
   LinkedViews* links_ = nullptr;
 };
 
+OSTRAKA_UI_TEST(LinkedViewsTest)
+
 }  // namespace ostraka::ui
 
-int main(int argc, char** argv) {
-  ostraka::ui::prepareOpenGl();
-  QApplication application(argc, argv);
-  ostraka::ui::LinkedViewsTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "linked_views_test.moc"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/core/model/shapes.h"
+#include "tests/ui/program.h"
 #include "ui/look/distance_scale.h"
 #include "ui/viewport/shading.h"
 #include "ui/viewport/sherd_view.h"
@@ -41,6 +42,9 @@ ShownTexture quarters(std::size_t vertices) {
 
 class ModelTextureTest : public QObject {
   Q_OBJECT
+
+ public:
+  static void initMain() { prepareOpenGl(); }
 
  private slots:
   void init();
@@ -146,12 +150,8 @@ void ModelTextureTest::theTextureChangesNeitherCapNorHatching() {
   QTRY_COMPARE(canvas()->grabFramebuffer().pixelColor(canvas()->rect().center()), capColour());
 }
 
+OSTRAKA_UI_TEST(ModelTextureTest)
+
 }  // namespace ostraka::ui
 
-int main(int argc, char** argv) {
-  ostraka::ui::prepareOpenGl();
-  QApplication application(argc, argv);
-  ostraka::ui::ModelTextureTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "model_texture_test.moc"

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QTest>
 
+#include "tests/ui/program.h"
 #include "ui/viewport/sherd_view.h"
 
 namespace ostraka::ui {
@@ -38,7 +39,8 @@ void NoOpenGlTest::itSaysSoAndNothingBreaks() {
   QVERIFY(!view.grab().isNull());
 }
 
+OSTRAKA_UI_TEST(NoOpenGlTest)
+
 }  // namespace ostraka::ui
 
-QTEST_MAIN(ostraka::ui::NoOpenGlTest)
 #include "no_opengl_test.moc"

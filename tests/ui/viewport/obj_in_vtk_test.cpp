@@ -10,6 +10,7 @@
 
 #include "cloud/obj.h"
 #include "files/files.h"
+#include "tests/ui/program.h"
 
 class ObjInVtkTest : public QObject {
   Q_OBJECT
@@ -49,5 +50,5 @@ void ObjInVtkTest::itsPlacesInThePictureAreVtks() {
   }
 }
 
-QTEST_GUILESS_MAIN(ObjInVtkTest)
+OSTRAKA_UI_TEST(ObjInVtkTest)
 #include "obj_in_vtk_test.moc"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/core/model/shapes.h"
+#include "tests/ui/program.h"
 #include "ui/look/distance_scale.h"
 #include "ui/look/look.h"
 #include "ui/look/state_colours.h"
@@ -39,7 +40,11 @@ ShownScan disc(float z, float up, float step = 0.4f) {
 class SherdViewTest : public QObject {
   Q_OBJECT
 
+ public:
+  static void initMain() { prepareOpenGl(); }
+
  private slots:
+  void initTestCase() { qRegisterMetaType<Eigen::Vector3d>("Eigen::Vector3d"); }
   void init();
   void cleanup();
   void bothSidesStandInTheirColours();
@@ -459,13 +464,8 @@ void SherdViewTest::itIsReadyBeforeItIsShown() {
   QVERIFY(shown.pixel(2, 2) != shown.pixel(shown.rect().center()));
 }
 
+OSTRAKA_UI_TEST(SherdViewTest)
+
 }  // namespace ostraka::ui
 
-int main(int argc, char** argv) {
-  ostraka::ui::prepareOpenGl();
-  QApplication application(argc, argv);
-  qRegisterMetaType<Eigen::Vector3d>("Eigen::Vector3d");
-  ostraka::ui::SherdViewTest test;
-  return QTest::qExec(&test, argc, argv);
-}
 #include "sherd_view_test.moc"

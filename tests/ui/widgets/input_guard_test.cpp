@@ -13,6 +13,8 @@
 #include <QWheelEvent>
 #include <QtTest>
 
+#include "tests/ui/program.h"
+
 using namespace ostraka::ui;
 
 class InputGuardTest : public QObject {
@@ -94,5 +96,5 @@ class InputGuardTest : public QObject {
   }
 };
 
-QTEST_MAIN(InputGuardTest)
+OSTRAKA_UI_TEST(InputGuardTest)
 #include "input_guard_test.moc"

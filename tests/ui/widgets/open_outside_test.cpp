@@ -4,6 +4,8 @@
 #include <QUrl>
 #include <QtTest>
 
+#include "tests/ui/program.h"
+
 using namespace ostraka::ui;
 
 class OpenOutsideTest : public QObject {
@@ -31,5 +33,5 @@ class OpenOutsideTest : public QObject {
   QUrl taken_;
 };
 
-QTEST_MAIN(OpenOutsideTest)
+OSTRAKA_UI_TEST(OpenOutsideTest)
 #include "open_outside_test.moc"

@@ -7,6 +7,7 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include "tests/ui/program.h"
 #include "ui/widgets/elided_label.h"
 
 namespace ostraka::ui {
@@ -63,7 +64,8 @@ void PageAreaTest::aLongLineWidensNothing() {
   QCOMPARE(label.toolTip(), QString());
 }
 
+OSTRAKA_UI_TEST(PageAreaTest)
+
 }  // namespace ostraka::ui
 
-QTEST_MAIN(ostraka::ui::PageAreaTest)
 #include "page_area_test.moc"

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "tests/ui/program.h"
 #include "ui/jobs/job.h"
 
 namespace ostraka::ui {
@@ -94,7 +95,8 @@ void ThumbnailsTest::paintingWaitsForNoDiskAndAChangedFileIsNoticed() {
   QVERIFY(!shown().isValid());
 }
 
+OSTRAKA_UI_TEST(ThumbnailsTest)
+
 }  // namespace ostraka::ui
 
-QTEST_MAIN(ostraka::ui::ThumbnailsTest)
 #include "thumbnails_test.moc"

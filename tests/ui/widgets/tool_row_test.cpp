@@ -7,6 +7,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/ui/program.h"
 #include "ui/widgets/page_acts.h"
 
 namespace ostraka::ui {
@@ -84,7 +85,8 @@ void ToolRowTest::whatIsInvisibleTakesNoRoom() {
   QVERIFY(!inMenu().contains(decide_[0]));
 }
 
+OSTRAKA_UI_TEST(ToolRowTest)
+
 }  // namespace ostraka::ui
 
-QTEST_MAIN(ostraka::ui::ToolRowTest)
 #include "tool_row_test.moc"

@@ -7,6 +7,7 @@
 
 #include "bench.h"
 #include "records/records.h"
+#include "tests/ui/program.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -135,5 +136,5 @@ class CaptureLabelsTest : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(CaptureLabelsTest)
+OSTRAKA_UI_TEST(CaptureLabelsTest)
 #include "capture_labels_test.moc"

@@ -9,6 +9,7 @@
 #include "rig/plate_print.h"
 #include "sherds/typed_numbers.h"
 #include "store/database.h"
+#include "tests/ui/program.h"
 #include "ui/queue/batch_queue.h"
 
 using namespace ostraka;
@@ -395,5 +396,5 @@ class CaptureResumeTest : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(CaptureResumeTest)
+OSTRAKA_UI_TEST(CaptureResumeTest)
 #include "capture_resume_test.moc"

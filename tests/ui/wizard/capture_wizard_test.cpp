@@ -7,6 +7,7 @@
 #include "bench.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
+#include "tests/ui/program.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -461,5 +462,5 @@ class CaptureWizardTest : public QObject {
   std::unique_ptr<QTemporaryDir> folder_;
 };
 
-QTEST_GUILESS_MAIN(CaptureWizardTest)
+OSTRAKA_UI_TEST(CaptureWizardTest)
 #include "capture_wizard_test.moc"

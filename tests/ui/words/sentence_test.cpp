@@ -13,6 +13,8 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
+#include "tests/ui/program.h"
+
 using namespace ostraka;
 using namespace ostraka::ui;
 
@@ -157,5 +159,5 @@ class SentenceTest : public QObject {
   Brackets brackets_;
 };
 
-QTEST_GUILESS_MAIN(SentenceTest)
+OSTRAKA_UI_TEST(SentenceTest)
 #include "sentence_test.moc"

@@ -2,13 +2,16 @@
 add_library(ostraka_qt STATIC ${CMAKE_SOURCE_DIR}/cmake/precompiled.cpp)
 target_link_libraries(ostraka_qt PUBLIC ostraka_flags Qt6::Widgets Qt6::Svg Qt6::PrintSupport)
 target_precompile_headers(ostraka_qt PRIVATE <QtWidgets>)
+get_target_property(moc Qt6::moc LOCATION)
+configure_file(cmake/moc.in ${CMAKE_BINARY_DIR}/moc @ONLY)
 
 # ostraka_ui(name SOURCES a.cpp DEPENDS jobs LINKS ostraka_catalogue ostraka_upkeep ostraka_intake)
 # One static library per folder of ui; DEPENDS are folders of ui, LINKS folders of core or others.
 function(ostraka_ui name)
   cmake_parse_arguments(A "" "" "SOURCES;DEPENDS;LINKS" ${ARGN})
   add_library(ostraka_ui_${name} STATIC ${A_SOURCES})
-  set_target_properties(ostraka_ui_${name} PROPERTIES AUTOMOC ON AUTORCC ON)
+  set_target_properties(ostraka_ui_${name} PROPERTIES AUTOMOC ON AUTORCC ON
+    AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc)
   target_link_libraries(ostraka_ui_${name} PUBLIC ostraka_qt ${A_LINKS})
   target_precompile_headers(ostraka_ui_${name} REUSE_FROM ostraka_qt)
   foreach(d ${A_DEPENDS})
@@ -24,7 +27,8 @@ function(ostraka_ui_test name)
   cmake_parse_arguments(A "" "" "OFFSCREEN;WINDOW;LINKS" ${ARGN})
   set(target ui_${name}_test)
   add_executable(${target} ${A_OFFSCREEN} ${A_WINDOW})
-  set_target_properties(${target} PROPERTIES AUTOMOC ON OSTRAKA_LEVEL 0)
+  set_target_properties(${target} PROPERTIES AUTOMOC ON OSTRAKA_LEVEL 0
+    AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc)
   target_link_libraries(${target} PRIVATE ${A_LINKS} ostraka_ui_program)
   target_precompile_headers(${target} REUSE_FROM ostraka_qt_tests)
   set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp

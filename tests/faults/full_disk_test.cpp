@@ -50,8 +50,8 @@ class FullDisk : public BatchForFaults {
 
 TEST_F(FullDisk, SimulateLeavesNoHalfBatch) {
   fills({"rig", "simulate", "--output", disk() / "batch", "--sherds", "1", "--width", "160",
-         "--stops", "4", "--threads", "1", "--seed", "5"},
-        "batch/board.json", 4);
+         "--stops", "2", "--threads", "1", "--seed", "5"},
+        "batch/board.json", 3);
 }
 
 TEST_F(FullDisk, DenseLeavesNoCloud) {
@@ -92,7 +92,7 @@ TEST_F(FullDisk, ProcessGoesOnFromItsLastWholeStage) {
     expectDiskFull(full, disk());
     EXPECT_FALSE(fs::exists(out / "report.json"));
     ASSERT_FALSE(HasFailure());
-    room = std::getenv("OSTRAKA_EVERY_WRITE") != nullptr ? room + 1 : 2 * room + 10;
+    room = std::getenv("OSTRAKA_EVERY_WRITE") != nullptr ? room + 1 : 4 * room + 10;
   }
   EXPECT_EQ(undisturbed.now(), undisturbed.whole());
   EXPECT_GT(trials, 0);

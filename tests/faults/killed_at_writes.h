@@ -54,7 +54,7 @@ inline void killedAtItsWritesAgainAndAgain(const Undisturbed& undisturbed,
     const long parts_now = whole_parts();
     const bool further = parts_now > parts;
     parts = parts_now;
-    room = each ? (further ? 0 : room + 1) : 2 * room + 10;
+    room = each ? (further ? 0 : room + 1) : 3 * room + 10;
   }
   tellKills(killed, undisturbed.command(), "at its writes");
 }

@@ -19,7 +19,7 @@
 namespace ostraka::test {
 
 inline int kills() {
-  return numberFrom("OSTRAKA_KILLS", 2);
+  return numberFrom("OSTRAKA_KILLS", 1);
 }
 
 /// Moments at which a process is still at work so many times for each time that it has ended,

@@ -141,7 +141,7 @@ TEST_F(ProcessBatch, WhatIsWrongWithOnePhotographOrMaskCostsThatPhotographAndIsN
   fs::remove(batch / "front" / "cam0_pos01.jpg");  // nobody took it
   cv::imwrite((batch / "front" / "cam1_pos03.jpg").string(), cv::Mat3b(300, 400));
   fs::remove(batch / "front_masks" / "cam1_pos05.png");
-  cv::imwrite((batch / "front_masks" / "cam2_pos06.png").string(), cv::Mat1b(600, 800, uchar{0}));
+  cv::imwrite((batch / "front_masks" / "cam2_pos04.png").string(), cv::Mat1b(600, 800, uchar{0}));
   std::stop_source stop;
   StopsAt back("masks of the back side", stop);
   ProcessOptions options;
@@ -155,7 +155,7 @@ TEST_F(ProcessBatch, WhatIsWrongWithOnePhotographOrMaskCostsThatPhotographAndIsN
   ASSERT_TRUE(log.has_value());
   for (const char* words :
        {"missing: cam0_pos01", "cam1_pos03.jpg: The image has 400 x 300",
-        "cam1_pos05.jpg: This photograph has no mask", "cam2_pos06.jpg: The mask marks no sherd"})
+        "cam1_pos05.jpg: This photograph has no mask", "cam2_pos04.jpg: The mask marks no sherd"})
     EXPECT_NE(log->find(words), std::string::npos) << words << " in " << *log;
   const auto points = [](const fs::path& output) {
     return readJson(output / "work" / "dense_front" / "stage.json")
@@ -163,8 +163,8 @@ TEST_F(ProcessBatch, WhatIsWrongWithOnePhotographOrMaskCostsThatPhotographAndIsN
         .at("points")
         .get<double>();
   };
-  // Four of 24 photographs see little that the others do not.
-  EXPECT_GT(points(options.output), 0.8 * points(folder_ / "whole"));
+  // Four of 18 photographs see little that the others do not.
+  EXPECT_GT(points(options.output), 0.75 * points(folder_ / "whole"));
 }
 
 TEST_F(ProcessBatch, DoesWhatAPersonDecidedAndOnlyWhatFollowsFromIt) {

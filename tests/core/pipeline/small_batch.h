@@ -14,7 +14,7 @@ namespace ostraka::pipeline {
 
 namespace fs = std::filesystem;
 
-/// A batch of two sherds, 800 pixels wide, made once for all its cases.
+/// A batch of two sherds, 800 pixels wide at six stops, made once for all its cases.
 class ProcessBatch : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -25,6 +25,7 @@ class ProcessBatch : public testing::Test {
     options.seed = 7;
     options.sherds = 2;
     options.width = 800;
+    options.stops = 6;
     options.output = folder_ / "batch";
     options.threads = 0;
     QuietProgress quiet;

@@ -136,23 +136,21 @@ double sharpness(const fs::path& file, const cv::Rect& where) {
 }
 
 TEST_F(BatchByHand, AWideOpenLensSoftensThePhotographsAndNotTheMasks) {
+  SimulateOptions options = small(root / "open");
+  options.fstop = 1;
   QuietProgress quiet;
-  for (const double fstop : {0.0, 1.0}) {
-    SimulateOptions options = small(root / (fstop > 0 ? "open" : "pinhole"));
-    options.fstop = fstop;
-    ASSERT_TRUE(simulateBatch(options, quiet, {}));
-  }
-  double open = 0, pinhole = 0;
+  ASSERT_TRUE(simulateBatch(options, quiet, {}));
+  double open = 0, usual = 0;  // a telephone's lens: nearly everything is sharp
   const auto images = *rig::readCameras(root / "open/truth/cameras.json");
   for (const rig::PosedImage& image : images) {
-    EXPECT_EQ(*readFile(maskOf(root / "open", image)), *readFile(maskOf(root / "pinhole", image)));
+    EXPECT_EQ(*readFile(maskOf(root / "open", image)), *readFile(maskOf(root / "one", image)));
     // The lowest rows are nearest to a low camera: 20 cm instead of 30, a blur of 4 pixels.
     const cv::Rect near(0, image.intrinsics.height * 3 / 4, image.intrinsics.width,
                         image.intrinsics.height / 4);
     open += sharpness(root / "open" / image.file, near);
-    pinhole += sharpness(root / "pinhole" / image.file, near);
+    usual += sharpness(root / "one" / image.file, near);
   }
-  EXPECT_LT(open, 0.8 * pinhole);
+  EXPECT_LT(open, 0.8 * usual);
 }
 
 TEST_F(BatchByHand, ThingsBesideTheSherdsAreSeenAndAreNoSherds) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "batch/photograph.h"
 #include "rendering/highlights.h"
 #include "rendering/sensor.h"
 
@@ -241,6 +242,22 @@ class Renderer {
     return place;
   }
 
+  // A thing with colours of its own has no clay's; where it shines, all of it does.
+  vessels::ClaySample claySampleOf(const Scene::Hit& hit, const Eigen::Vector3f& p_model) const {
+    const vessels::VirtualSherd& sherd = view_.scene.sherds()[hit.body];
+    vessels::ClaySample sample = vessels::sampleClay(sherd.clay, p_model, clayPlaceOf(hit));
+    if (sherd.mesh.colors.empty()) return sample;
+    const std::array<float, 3> w{1 - hit.u - hit.v, hit.u, hit.v};
+    const std::array<double, 256>& light = batch::linearLight();
+    sample.albedo.setZero();
+    for (int k = 0; k < 3; ++k) {
+      const Color& corner = sherd.mesh.colors[sherd.mesh.triangles[hit.triangle][k]];
+      for (int c = 0; c < 3; ++c) sample.albedo[c] += w[k] * static_cast<float>(light[corner[c]]);
+    }
+    sample.shine = sherd.clay.shine;
+    return sample;
+  }
+
   // r, hash: of this look at the clay; the hash for what glitters.
   Eigen::Vector3f bodyLight(const Scene::Hit& hit, const Ray& r, std::uint64_t hash) const {
     Place at = placeOf(hit);
@@ -253,8 +270,7 @@ class Renderer {
       at.irradiance += directLight(view_.room_plate, at.p, normal, at.shares);
       return view_.scene.prop(hit.body).albedo(at.p).cwiseProduct(at.irradiance);
     }
-    const vessels::ClaySample clay =
-        vessels::sampleClay(view_.scene.sherds()[hit.body].clay, at.p_model, clayPlaceOf(hit));
+    const vessels::ClaySample clay = claySampleOf(hit, at.p_model);
     const Eigen::Vector3f slope = model_turns_[hit.body] * clay.slope;
     const Eigen::Vector3f bent = (normal - (slope - normal * normal.dot(slope))).normalized();
     at.irradiance += directLight(view_.room_plate, at.p, bent, at.shares);

@@ -35,6 +35,13 @@ double longestEdge(const TriangleMesh& mesh) {
   return std::sqrt(longest);
 }
 
+Color between(const Color& a, const Color& b) {
+  Color middle;
+  for (std::size_t c = 0; c < middle.size(); ++c)
+    middle[c] = static_cast<std::uint8_t>((a[c] + b[c] + 1) / 2);
+  return middle;
+}
+
 // Each edge that is too long is halved, for both of its triangles.
 TriangleMesh withHalvedEdges(TriangleMesh mesh) {
   std::map<Edge, int> middles;
@@ -42,7 +49,10 @@ TriangleMesh withHalvedEdges(TriangleMesh mesh) {
     if ((mesh.vertices[a] - mesh.vertices[b]).norm() <= kMostEdge_mm) return -1;
     const auto [at, fresh] = middles.try_emplace({std::min(a, b), std::max(a, b)},
                                                  static_cast<int>(mesh.vertices.size()));
-    if (fresh) mesh.vertices.push_back(0.5f * (mesh.vertices[a] + mesh.vertices[b]));
+    if (fresh) {
+      mesh.vertices.push_back(0.5f * (mesh.vertices[a] + mesh.vertices[b]));
+      if (!mesh.colors.empty()) mesh.colors.push_back(between(mesh.colors[a], mesh.colors[b]));
+    }
     return at->second;
   };
   std::vector<std::array<int, 3>> triangles;
@@ -81,6 +91,7 @@ Result<VirtualSherd> sherdOfMesh(const std::filesystem::path& file) {
   VirtualSherd sherd;
   sherd.mesh.vertices = read->mesh.vertices;
   sherd.mesh.triangles = read->mesh.triangles;
+  sherd.mesh.colors = read->mesh.colors;
   if (!closed(sherd.mesh)) return refused("The mesh is not closed: it has no inside to weigh.");
   if (longestEdge(sherd.mesh) > kLargest_mm) return refused("The mesh is larger than 300 mm.");
   while (longestEdge(sherd.mesh) > kMostEdge_mm) {

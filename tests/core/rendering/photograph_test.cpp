@@ -55,5 +55,31 @@ TEST(Photograph, ShowsTheMarkersWhereTheTrueCameraProjectsThem) {
   }
 }
 
+// A pyramid of 60 mm, its colour as if painted, seen from above.
+TEST(Photograph, ShowsAThingInItsOwnColours) {
+  vessels::VirtualSherd thing;
+  thing.mesh.vertices = {{-30, -30, 0}, {30, -30, 0}, {30, 30, 0}, {-30, 30, 0}, {0, 0, 10}};
+  thing.mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {0, 2, 1}, {0, 3, 2}};
+  thing.mesh.colors.assign(5, {40, 60, 200});
+  thing.places.resize(5);
+  thing.clay.body = {0.5F, 0.3F, 0.2F};  // red clay, which is not to be seen
+  const std::vector<vessels::VirtualSherd> things{thing};
+  const Scene scene(things, {Eigen::Isometry3d::Identity()});
+  vessels::Random random(21);
+  const Lighting lighting = makeLighting(random);
+  const PlateSurface surface(PlateColor::Grey, 3);
+  const AmbientField ambient = gatherAmbient(scene, lighting, surface, 1, {.threads = 1});
+  const LightField light = castShadows(scene, lighting, 2, 1);
+  const PlateBackdrop backdrop(lighting, light, ambient, surface, 0);
+  rig::Intrinsics k;
+  k.width = 80, k.height = 60, k.fx = k.fy = 150, k.cx = 39.5, k.cy = 29.5;
+  const View view{scene,   lighting, light,
+                  ambient, backdrop, virtualrig::lookingAt({0, -60, 300}, {0, 0, 0}, 0)};
+  const Photograph shot = photograph(view, LensRays(k), Sensor(), 7, {});
+  EXPECT_GT(cv::countNonZero(shot.labels), 500);
+  const cv::Scalar mean = cv::mean(shot.image, shot.labels);
+  EXPECT_GT(mean[0], 1.8 * mean[2]);  // blue; clay would be red
+}
+
 }  // namespace
 }  // namespace ostraka::rendering

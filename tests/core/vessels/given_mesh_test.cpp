@@ -71,6 +71,20 @@ TEST_F(GivenMesh, LiesAboutItsCentreOfMassWithShortEdges) {
   }
 }
 
+TEST_F(GivenMesh, KeepsItsColoursAndMixesThemWhereEdgesAreHalved) {
+  TriangleMesh box = boxOf({7.5F, 2.5F, 2.5F});
+  box.colors.assign(8, {0, 0, 0});
+  for (int i = 1; i < 8; i += 2) box.colors[static_cast<std::size_t>(i)] = {200, 100, 40};
+  const Result<VirtualSherd> sherd = read(box);
+  ASSERT_TRUE(sherd) << sherd.error().what;
+  ASSERT_EQ(sherd->mesh.colors.size(), sherd->mesh.vertices.size());
+  for (std::size_t i = 0; i < sherd->mesh.vertices.size(); ++i) {
+    const float share = sherd->mesh.vertices[i].x() / 7.5F + 0.5F;  // black at -3.75 mm
+    EXPECT_NEAR(sherd->mesh.colors[i][0], 200 * share, 2);  // three halvings, each rounded
+    EXPECT_NEAR(sherd->mesh.colors[i][2], 40 * share, 2);
+  }
+}
+
 TEST_F(GivenMesh, IsRefusedWhenItIsOpenInsideOutOrOfAnImpossibleSize) {
   TriangleMesh open = boxOf({30, 20, 10});
   open.triangles.pop_back();

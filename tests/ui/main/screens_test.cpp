@@ -340,6 +340,7 @@ class ScreensTest : public QObject {
     window_->resize(pictureSize());
     activate(*window_);
     openVirtual();
+    showScreen("capture");  // a project with results opens with another, without live pictures
     QTRY_COMPARE_WITH_TIMEOUT(window_->wizard()->phase(), CapturePhase::Place, 60000);
     QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->pictures()->live().has_value(), 60000);
     if (given.isEmpty()) addBatches();

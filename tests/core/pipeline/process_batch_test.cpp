@@ -51,7 +51,7 @@ TEST_F(ProcessBatch, TurnsPhotographsIntoWholeSherdsWithTheirReports) {
     const double wall = sherd.at("figures").at("measures").at("thickness_mean_mm").get<double>();
     EXPECT_GT(wall, 2.5);
     EXPECT_LT(wall, 11.0);
-    EXPECT_GT(sherd.at("figures").at("texture_seen_share").get<double>(), 0.97);
+    EXPECT_GT(sherd.at("figures").at("texture_seen_share").get<double>(), 0.95);  // of six stops
     const nlohmann::json& munsell = sherd.at("figures").at("munsell");
     EXPECT_EQ(sherd.at("figures").at("texture"), "photo");
     EXPECT_TRUE(munsell.at("chart").is_null());

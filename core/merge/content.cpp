@@ -149,10 +149,10 @@ void readPairs(store::Database& database, Content& content) {
               "b.row = j.other ORDER BY j.sherd, j.other")
           .all(&Texts::first, &Texts::second);
   store::Statement given = database.sql(
-      "SELECT number_key, slug_key, g.number, s.id, at, counter, n FROM given_number g JOIN sherd "
-      "s ON s.row = g.sherd ORDER BY number_key");
+      "SELECT number_key, slug_key, g.number, s.id, at FROM given_number g JOIN sherd s ON s.row = "
+      "g.sherd ORDER BY number_key");
   while (given.next()) {
-    std::vector<Value> row(7);
+    std::vector<Value> row(5);
     for (Value& value : row) given >> value;
     content.given.push_back(std::move(row));
   }

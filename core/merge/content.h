@@ -52,7 +52,7 @@ struct Content {
   std::vector<Event> events;
   std::unordered_map<std::string, std::vector<std::string>> bags;  ///< of a batch, in order
   std::vector<std::pair<std::string, std::string>> joins;          ///< of two sherds, both ways
-  std::vector<std::vector<Value>> given;        ///< number_key slug_key number sherd at counter n
+  std::vector<std::vector<Value>> given;        ///< number_key slug_key number sherd at
   std::vector<std::vector<std::string>> terms;  ///< name term labels uri
   std::vector<std::pair<std::string, std::string>> settings;
 

@@ -162,28 +162,22 @@ void Merging::claimNumber(const std::string& sherd, const std::string& number) {
 }
 
 void Merging::addGivenNumbers() {
-  std::unordered_map<std::string, const std::vector<Value>*> of_b;
+  constexpr const char* kAdd =
+      " INTO given_number (number_key, slug_key, number, sherd, at) VALUES (?1, ?2, ?3, ?4, ?5)";
   for (const std::vector<Value>& given : b_.given) {
-    const std::string number = given[2].value_or(""), key = store::uniqueKey(number);
-    of_b[key] = &given;
+    const std::string number = given[2].value_or("");
     const std::string sherd = canonicalId(given[3].value_or(""));
     if (!rows_.contains(sherd)) continue;
     // One that was given in both projects stays with the sherd of A, or goes to the one that a
     // person chose.
-    database_.run("INSERT OR IGNORE INTO given_number VALUES (?, ?, ?, ?, ?, ?, ?)", key,
-                  slugOfNumber(number), number, rows_.at(sherd), given[4], given[5], given[6]);
+    database_.run(std::string("INSERT OR IGNORE") + kAdd, store::uniqueKey(number),
+                  slugOfNumber(number), number, rows_.at(sherd), given[4]);
   }
-  for (const auto& [sherd, number] : claimed_) {
-    const std::string key = store::uniqueKey(number);
-    const auto found = of_b.find(key);
-    const bool counted = found != of_b.end();
-    database_.run(
-        "INSERT INTO given_number VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET "
-        "number_key = ?1, number = ?3, sherd = ?4",
-        key, slugOfNumber(number), number, rows_.at(sherd), projects_.a.now(),
-        counted ? (*found->second)[5].value_or("") : std::string(),
-        counted ? (*found->second)[6] : Value());
-  }
+  for (const auto& [sherd, number] : claimed_)
+    database_.run(std::string("INSERT") + kAdd +
+                      " ON CONFLICT DO UPDATE SET number_key = ?1, number = ?3, sherd = ?4",
+                  store::uniqueKey(number), slugOfNumber(number), number, rows_.at(sherd),
+                  projects_.a.now());
   for (const auto& [sherd, numbers] : new_numbers_)
     remember("sherd", rows_.at(sherd), "number", numbers.first, numbers.second);
 }

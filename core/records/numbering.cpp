@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/message.h"
+#include "store/names.h"
 
 namespace ostraka::records {
 namespace {
@@ -157,6 +158,24 @@ Message Numbering::warning(const std::map<std::string, std::string>& values) con
         return unclear(parts_[i].text, value->second, parts_[k].text);
   }
   return {};
+}
+
+NumberCount::NumberCount(const std::string& counter) {
+  const std::size_t n = counter.find("{n}");
+  before_ = store::codeKey(counter.substr(0, n));
+  after_ = store::codeKey(counter.substr(n + 3));
+}
+
+std::optional<std::int64_t> NumberCount::of(const std::string& number) const {
+  constexpr std::size_t kMostDigits = 12;
+  const std::string key = store::codeKey(number);
+  if (key.size() <= before_.size() + after_.size() || !key.starts_with(before_) ||
+      !key.ends_with(after_))
+    return {};
+  const std::string digits =
+      key.substr(before_.size(), key.size() - before_.size() - after_.size());
+  if (digits.size() > kMostDigits || !isDigits(digits)) return {};
+  return std::stoll(digits);
 }
 
 }  // namespace ostraka::records

@@ -1,5 +1,7 @@
 #pragma once
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +36,20 @@ class Numbering {
   std::string fill(const std::map<std::string, std::string>& values, std::string_view n,
                    std::string* lacking) const;
   std::vector<Part> parts_;
+};
+
+/// The numbers that differ in {n} alone. Places are told apart by store::codeKey, so their numbers
+/// are too: T3 written on a sherd is the trench that was typed as t3.
+class NumberCount {
+ public:
+  explicit NumberCount(const std::string& counter);  ///< as Numbering::counter has it
+  /// Which n of this count a number is; none: it is of another count or form.
+  std::optional<std::int64_t> of(const std::string& number) const;
+  /// How the store::codeKey of each of its numbers begins.
+  const std::string& before() const { return before_; }
+
+ private:
+  std::string before_, after_;
 };
 
 }  // namespace ostraka::records

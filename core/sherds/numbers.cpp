@@ -1,7 +1,10 @@
 #include "sherds/numbers.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
+#include <optional>
+#include <set>
 
 #include "base/message.h"
 #include "base/text.h"
@@ -49,26 +52,21 @@ std::map<std::string, std::string> numberTokens(const catalogue::Catalogue& cata
 
 namespace {
 
-struct Counted {
-  std::string counter;
-  std::optional<std::int64_t> n;
-};
+using records::NumberCount;
 
-// Which n of the project's count a number is, when it has the scheme's form.
-Counted countedIn(const catalogue::Catalogue& catalogue, const records::Numbering& scheme,
-                  const records::SherdRecord& sherd, const std::string& number) {
-  const Result<std::string> counter = scheme.counter(numberTokens(catalogue, sherd));
-  if (!counter) return {};
-  const std::size_t at = counter->find("{n}");
-  const std::string before = counter->substr(0, at), after = counter->substr(at + 3);
-  if (number.size() <= before.size() + after.size() || !number.starts_with(before) ||
-      !number.ends_with(after))
-    return {};
-  const std::string digits =
-      number.substr(before.size(), number.size() - before.size() - after.size());
-  if (digits.size() > 12 || digits.find_first_not_of("0123456789") != std::string::npos) return {};
-  return {*counter, std::stoll(digits)};
+// Those of a count that were ever given, to whichever sherd.
+std::set<std::int64_t> givenIn(store::Database& database, const NumberCount& count) {
+  std::set<std::int64_t> all;
+  store::Statement rows = database.sql(
+      "SELECT number FROM given_number WHERE replace(number_key, ' ', '') >= ?1 AND "
+      "replace(number_key, ' ', '') < ?1 || char(1114111)",
+      count.before());
+  for (std::string number; rows.read(number);)
+    if (const auto n = count.of(number)) all.insert(*n);
+  return all;
 }
+
+constexpr std::int64_t kLastNumber = 999'999'999;
 
 // The block of numbers of this computer (settings numbering.first and numbering.last), so that two
 // laptops in the field never give the same number.
@@ -80,14 +78,24 @@ std::int64_t settingNumber(const catalogue::Catalogue& catalogue, const char* ke
 }
 
 // After the highest of the block that this computer gives.
-std::int64_t nextOf(store::Database& database, const std::string& counter, std::int64_t first,
+std::int64_t nextOf(store::Database& database, const NumberCount& count, std::int64_t first,
                     std::int64_t last) {
-  return database
-      .sql(
-          "SELECT ifnull(max(n) + 1, ?2) FROM given_number WHERE counter = ?1 AND n BETWEEN ?2 AND "
-          "?3",
-          counter, first, last)
-      .one<std::int64_t>();
+  const std::set<std::int64_t> given = givenIn(database, count);
+  const auto behind = given.upper_bound(last);
+  return behind == given.begin() ? first : std::max(first, *std::prev(behind) + 1);
+}
+
+// A sherd that had a number of this count before gets it back: it is nobody else's.
+std::string ownOf(store::Database& database, const NumberCount& count, store::SherdRow sherd) {
+  std::string own;
+  std::int64_t highest = -1;
+  store::Statement rows = database.sql("SELECT number FROM given_number WHERE sherd = ?", sherd);
+  for (std::string number; rows.read(number);)
+    if (const auto n = count.of(number); n && *n > highest) {
+      highest = *n;
+      own = number;
+    }
+  return own;
 }
 
 // 12 of 12.0, which a spreadsheet makes of it.
@@ -117,12 +125,11 @@ void giveNumber(const catalogue::Catalogue& catalogue, const records::SherdRecor
   if (taken.sherd && (taken.sherd != sherd.row || taken.slug_only))
     store::refuse(message("The number %1 was assigned before; numbers are never reused.", number),
                   number);
-  if (!taken.sherd) {
-    const Counted counted = countedIn(catalogue, schemeOf(catalogue), sherd, number);
-    database.run("INSERT INTO given_number VALUES (?, ?, ?, ?, ?, ?, ?)", store::uniqueKey(number),
-                 store::uniqueKey(store::slug(number)), number, sherd.row, catalogue.now(),
-                 counted.counter, counted.n);
-  }
+  if (!taken.sherd)
+    database.run(
+        "INSERT INTO given_number (number_key, slug_key, number, sherd, at) VALUES (?, ?, ?, ?, ?)",
+        store::uniqueKey(number), store::uniqueKey(store::slug(number)), number, sherd.row,
+        catalogue.now());
 }
 
 void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord& sherd,
@@ -144,7 +151,7 @@ Result<std::vector<std::string>> Numbers::propose(std::span<const store::SherdRo
   return database_->asResult([&] {
     const records::Numbering scheme = schemeOf(catalogue_);
     const std::int64_t first = settingNumber(catalogue_, "numbering.first", 1);
-    const std::int64_t last = settingNumber(catalogue_, "numbering.last", 999'999'999);
+    const std::int64_t last = settingNumber(catalogue_, "numbering.last", kLastNumber);
     std::map<std::string, std::int64_t> next;
     std::vector<std::string> numbers;
     const std::set<std::string> typed = typedEverywhere(catalogue_);
@@ -155,17 +162,13 @@ Result<std::vector<std::string>> Numbers::propose(std::span<const store::SherdRo
       }
       const auto tokens = numberTokens(catalogue_, sherd);
       const std::string counter = store::valueOrThrow(scheme.counter(tokens));
-      // A sherd that had a number of this count before gets it back: it is nobody else's.
-      store::Statement own = database_->sql(
-          "SELECT number FROM given_number WHERE sherd = ? AND counter = ? ORDER BY n DESC LIMIT "
-          "1",
-          sherd.row, counter);
-      std::string number;
-      if (own.read(number)) {
+      const NumberCount count(counter);
+      std::string number = ownOf(*database_, count, sherd.row);
+      if (!number.empty()) {
         numbers.push_back(number);
         continue;
       }
-      if (!next.contains(counter)) next[counter] = nextOf(*database_, counter, first, last);
+      if (!next.contains(counter)) next[counter] = nextOf(*database_, count, first, last);
       do {
         const std::int64_t n = next[counter]++;
         if (n > last)
@@ -196,7 +199,7 @@ Result<std::vector<std::string>> Numbers::assign(std::span<const store::SherdRow
 
 Result<int> Numbers::next(const std::string& counter, int first, int last) const {
   return database_->asResult(
-      [&] { return static_cast<int>(nextOf(*database_, counter, first, last)); });
+      [&] { return static_cast<int>(nextOf(*database_, NumberCount(counter), first, last)); });
 }
 
 Result<std::vector<std::string>> Numbers::similar(store::SherdRow sherd,
@@ -230,24 +233,27 @@ Result<Message> Numbers::doubt(store::SherdRow sherd, const std::string& number)
 
 Result<std::vector<int>> Numbers::gaps(store::ContextRow context) const {
   return database_->asResult([&] {
+    constexpr std::size_t kMost = 10'000;
+    const records::Numbering scheme = schemeOf(catalogue_);
+    const std::int64_t first = settingNumber(catalogue_, "numbering.first", 1);
+    const std::int64_t last = settingNumber(catalogue_, "numbering.last", kLastNumber);
+    // One sherd for all that share what a scheme may name.
+    const auto rows =
+        database_->sql("SELECT min(row) FROM sherd WHERE context = ? GROUP BY bag, batch", context)
+            .all<store::SherdRow>();
+    std::set<std::string> counters;
+    for (const records::SherdRecord& sherd : store::valueOrThrow(Sherds(catalogue_).of(rows)))
+      if (const auto counter = scheme.counter(numberTokens(catalogue_, sherd)))
+        counters.insert(*counter);
     std::vector<int> gaps;
-    store::Statement rows = database_->sql(
-        "SELECT counter, n FROM given_number WHERE n IS NOT NULL AND counter IN (SELECT g.counter "
-        "FROM given_number g JOIN sherd s ON s.row = g.sherd WHERE s.context = ? AND g.counter <> "
-        "'') ORDER BY counter, n",
-        context);
-    std::string last_counter;
-    std::int64_t expected = 1;
-    std::string counter;
-    std::int64_t n = 0;
-    while (rows.read(counter, n)) {
-      if (counter != last_counter) {
-        last_counter = counter;
-        expected = settingNumber(catalogue_, "numbering.first", 1);
+    for (const std::string& counter : counters) {
+      std::int64_t expected = first;
+      for (const std::int64_t n : givenIn(*database_, NumberCount(counter))) {
+        if (n > last) break;
+        for (; expected < n && gaps.size() < kMost; ++expected)
+          gaps.push_back(static_cast<int>(expected));
+        expected = std::max(expected, n + 1);
       }
-      for (; expected < n && gaps.size() < 10'000; ++expected)
-        gaps.push_back(static_cast<int>(expected));
-      expected = n + 1;
     }
     return gaps;
   });

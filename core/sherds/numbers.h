@@ -15,7 +15,8 @@ class Numbers : public catalogue::Subject {
  public:
   using catalogue::Subject::Subject;
 
-  /// The next free numbers of a context (and bag, batch); not reserved.
+  /// The next free numbers of a context (and bag, batch), above all that were given there in
+  /// whichever spelling of the place (store::codeKey), and in the place's own; not reserved.
   Result<std::vector<std::string>> propose(std::span<const store::SherdRow>) const;
   /// Gives drafts their numbers. Returns them in the order of the rows.
   Result<std::vector<std::string>> assign(std::span<const store::SherdRow>,
@@ -29,7 +30,7 @@ class Numbers : public catalogue::Subject {
   Result<std::vector<std::string>> similar(store::SherdRow, const std::string& number) const;
   /// What to look at again before the sherd gets this number; empty: nothing.
   Result<Message> doubt(store::SherdRow, const std::string& number) const;
-  /// Numbers below the highest that were never given.
+  /// Running numbers of this computer's block, below the highest, that were never given.
   Result<std::vector<int>> gaps(store::ContextRow) const;
 };
 

@@ -205,12 +205,11 @@ CREATE INDEX sherd_ware ON sherd (ware);
 CREATE TABLE given_number (
   number_key TEXT PRIMARY KEY,       -- NFC, case-folded
   slug_key TEXT NOT NULL UNIQUE,     -- of the file names made from it
-  number TEXT NOT NULL, sherd INTEGER NOT NULL REFERENCES sherd, at INTEGER NOT NULL,
-  counter TEXT NOT NULL DEFAULT '',  -- the scheme with all but n filled in; '' for other numbers
-  n INTEGER
+  number TEXT NOT NULL, sherd INTEGER NOT NULL REFERENCES sherd, at INTEGER NOT NULL
 ) STRICT;
-CREATE INDEX given_number_counter ON given_number (counter, n);
-CREATE INDEX given_number_sherd ON given_number (sherd, counter, n);
+-- The running numbers of a place, which is written with blanks or without.
+CREATE INDEX given_number_place ON given_number (replace(number_key, ' ', ''));
+CREATE INDEX given_number_sherd ON given_number (sherd);
 
 CREATE TABLE sherd_join (
   sherd INTEGER NOT NULL REFERENCES sherd, other INTEGER NOT NULL REFERENCES sherd,

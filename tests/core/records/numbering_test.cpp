@@ -57,6 +57,16 @@ TEST(Numbering, APartThatThePlaceDoesNotHaveIsLeftOutWithItsSeparator) {
   EXPECT_EQ(*Numbering::parse("{site}-{trench}-{n}")->counter(place), "GRB-{n}");
 }
 
+TEST(NumberCount, KnowsItsNumbersWhateverTheSpellingOfThePlace) {
+  const NumberCount count("ARM1-T3-K 12-{n}");
+  EXPECT_EQ(count.of("ARM1-T3-K 12-0007"), 7);
+  EXPECT_EQ(count.of("arm1-t3-k12-41"), 41);
+  for (const char* other : {"ARM1-T3-K 12-", "ARM1-T3-K 12-7a", "ARM1-T3-K 1-0007", "0007",
+                            "ARM1-T3-K 12-1234567890123"})
+    EXPECT_FALSE(count.of(other)) << other;
+  EXPECT_EQ(NumberCount("{n}/K12.26").of("008/k 12.26"), 8);
+}
+
 TEST(Numbering, AValueThatHoldsTheSignBesideItWarns) {
   const Numbering scheme = *Numbering::parse("{site}-{context}-{n}");
   EXPECT_EQ(scheme.warning(kPlace), "");

@@ -83,6 +83,35 @@ TEST_F(NumbersTest, TypedByHandInTheSchemesFormAreCounted) {
   EXPECT_EQ(gaps.back(), 40);
 }
 
+// T3 and t3 are one trench, K 12 and K12 one context: what is written on the sherds of a place
+// counts there, in whichever spelling, and the next one has the place's own.
+TEST_F(NumbersTest, CountByThePlaceWhateverItsSpelling) {
+  ASSERT_TRUE(set(draft(context12), "number", "arm1-t3-0012-0020"));
+  ASSERT_TRUE(set(draft(context12), "number", "ARM1-T3-0012-0018"));
+  EXPECT_THAT(*Numbers(catalogue()).propose(std::vector{draft(context12)}),
+              ElementsAre("ARM1-T3-0012-0021"));
+  EXPECT_EQ(*Numbers(catalogue()).next("Arm1-t3-0012-{n}", 1, 999), 21);
+  std::vector<int> gaps = *Numbers(catalogue()).gaps(context12);
+  ASSERT_EQ(gaps.size(), 18u) << "1 to 17 and 19";
+  EXPECT_EQ(gaps[16], 17);
+  EXPECT_EQ(gaps[17], 19);
+  for (const auto& [place, typed, next] :
+       {std::tuple("K 12", "ARM1-T3-k12-7", "ARM1-T3-K 12-0008"),
+        std::tuple("Ü13", "arm1-t3-ü 13-0041", "ARM1-T3-Ü13-0042")}) {
+    const store::ContextRow other = context(place);
+    ASSERT_TRUE(set(draft(other), "number", typed));
+    EXPECT_THAT(*Numbers(catalogue()).propose(std::vector{draft(other)}), ElementsAre(next));
+  }
+}
+
+TEST_F(NumbersTest, CountWhereTheyNameThePlaceAlthoughTheSherdWasElsewhere) {
+  const store::SherdRow misplaced = draft(context13);
+  ASSERT_TRUE(set(misplaced, "number", "ARM1-T3-0012-0005"));
+  ASSERT_TRUE(set(misplaced, "context", "0012"));
+  EXPECT_THAT(*Numbers(catalogue()).propose(std::vector{draft(context12), draft(context13)}),
+              ElementsAre("ARM1-T3-0012-0006", "ARM1-T3-0013-0001"));
+}
+
 TEST_F(NumbersTest, UndoneComeBackToTheSameSherd) {
   const store::SherdRow a = draft(context12), b = draft(context12);
   ASSERT_TRUE(Numbers(catalogue()).assign(std::span(&a, 1), anna));
@@ -100,6 +129,9 @@ TEST_F(NumbersTest, OfTwoComputersComeFromTwoBlocks) {
   const std::vector<store::SherdRow> two = {draft(context12), draft(context12)};
   EXPECT_THAT(*Numbers(catalogue()).assign(two, anna),
               ElementsAre("ARM1-T3-0012-5001", "ARM1-T3-0012-5002"));
+  ASSERT_TRUE(set(draft(context12), "number", "ARM1-T3-0012-0007"));
+  ASSERT_TRUE(set(draft(context12), "number", "ARM1-T3-0012-9000"));
+  EXPECT_THAT(*Numbers(catalogue()).gaps(context12), ElementsAre()) << "of other computers";
   const Result<std::vector<std::string>> none =
       Numbers(catalogue()).propose(std::vector{draft(context12)});
   ASSERT_FALSE(none);

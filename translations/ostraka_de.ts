@@ -9378,6 +9378,11 @@
       <translation>Anpassungen an Zeilen, die nicht importiert wurden, sind ausgelassen: %1; diese Zeilen berichtigen, dann die Tabelle noch einmal importieren.</translation>
     </message>
     <message>
+      <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeilen, die nicht importiert werden, lassen ihre Nummern frei: %1; sie berichtigen und importieren, bevor neue Nummern vergeben werden.</translation>
+    </message>
+    <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer %1 wurde für eine Scherbe des Durchgangs %2 eingegeben, der noch nicht verarbeitet ist.</translation>

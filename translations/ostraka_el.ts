@@ -9378,6 +9378,11 @@
       <translation>Οι συγκολλήσεις με γραμμές που δεν καταχωρίστηκαν παραλείπονται: %1· εισαγάγετε ξανά τον πίνακα όταν διορθωθούν αυτές οι γραμμές.</translation>
     </message>
     <message>
+      <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι γραμμές που δεν εισάγονται αφήνουν ελεύθερους τους αριθμούς τους: %1· διορθώστε τις και εισαγάγετέ τις πριν δοθούν νέοι αριθμοί.</translation>
+    </message>
+    <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός %1 πληκτρολογήθηκε για όστρακο της %2, που δεν έχει επεξεργαστεί ακόμη.</translation>

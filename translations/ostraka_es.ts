@@ -9378,6 +9378,11 @@
       <translation>Se omiten las uniones con filas que no se importaron: %1; corrija esas filas e importe la tabla otra vez.</translation>
     </message>
     <message>
+      <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las filas que no se importan dejan libres sus números: %1; corríjalas e impórtelas antes de asignar números nuevos.</translation>
+    </message>
+    <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número %1 se escribió para un fragmento de %2, que aún no está procesada.</translation>

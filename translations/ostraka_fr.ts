@@ -9378,6 +9378,11 @@
       <translation>Les remontages avec des lignes qui n’ont pas été importées sont omis : %1 ; corrigez ces lignes, puis importez de nouveau le tableau.</translation>
     </message>
     <message>
+      <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les lignes qui ne sont pas importées laissent leurs numéros libres : %1 ; corrigez-les et importez-les avant d’attribuer de nouveaux numéros.</translation>
+    </message>
+    <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro %1 a été saisi pour un tesson de %2, qui n&apos;est pas encore traité.</translation>

@@ -9378,6 +9378,11 @@
       <translation>Չներմուծված տողերի հետ կցումները բաց են թողնվել. %1. ուղղեք այդ տողերը, ապա կրկին ներմուծեք աղյուսակը։</translation>
     </message>
     <message>
+      <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չներմուծված տողերն ազատ են թողնում իրենց համարները. %1. ուղղեք և ներմուծեք դրանք նախքան նոր համարներ տալը։</translation>
+    </message>
+    <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համարը գրվել է %2-ի մի բեկորի վրա, որը դեռ մշակված չէ։</translation>

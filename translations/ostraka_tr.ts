@@ -9330,6 +9330,11 @@
       <translation>Girilmeyen satırlarla birleşmeler dışarıda bırakıldı: %1; bu satırlar düzeltilince tabloyu yeniden içe aktarın.</translation>
     </message>
     <message>
+      <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İçe aktarılmayan satırlar numaralarını boş bırakır: %1; yeni numara vermeden önce bunları düzeltip içe aktarın.</translation>
+    </message>
+    <message>
       <source>The number %1 was entered for a sherd of %2, which is not processed yet.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numarası, henüz işlenmemiş %2 içindeki bir parçaya yazıldı.</translation>

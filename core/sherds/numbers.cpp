@@ -231,6 +231,10 @@ Result<Message> Numbers::doubt(store::SherdRow sherd, const std::string& number)
       number, numbers->front());
 }
 
+Result<bool> Numbers::isFree(const std::string& number) const {
+  return database_->asResult([&] { return !takenBy(*database_, number).sherd; });
+}
+
 Result<std::vector<int>> Numbers::gaps(store::ContextRow context) const {
   return database_->asResult([&] {
     constexpr std::size_t kMost = 10'000;

@@ -30,6 +30,8 @@ class Numbers : public catalogue::Subject {
   Result<std::vector<std::string>> similar(store::SherdRow, const std::string& number) const;
   /// What to look at again before the sherd gets this number; empty: nothing.
   Result<Message> doubt(store::SherdRow, const std::string& number) const;
+  /// No sherd has it or ever had it.
+  Result<bool> isFree(const std::string& number) const;
   /// Running numbers of this computer's block, below the highest, that were never given.
   Result<std::vector<int>> gaps(store::ContextRow) const;
 };

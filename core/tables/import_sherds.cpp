@@ -99,6 +99,8 @@ class Importing {
     if (!done) {
       if (faults_.empty()) fault({}, {}, done.error().sentence());
       for (Refusal& one : faults_) {
+      if (const std::string number = valueOf(row, "number"); !number.empty())
+        left_out_.push_back(number);
         one.line = row.line;
         (asks_ ? report_.questions : report_.refusals).push_back(std::move(one));
       }
@@ -129,6 +131,7 @@ class Importing {
                   "compare them with the labels and correct them.",
                   joined(damaged_, ", ")));
     const Result<std::vector<std::string>> lost = joins_.lost(catalogue_);
+    if (const Result<void> told = tellFreeNumbers(); !told) return told;
     if (!lost) return lost.error();
     if (!lost->empty())
       report_.warnings.push_back(
@@ -155,6 +158,25 @@ class Importing {
   }
 
   // Of the sherd and of its place, each once.
+  // Of rows that did not enter: they may be written on sherds, and nothing else tells of them.
+  Result<void> tellFreeNumbers() {
+    constexpr std::size_t kMostNamed = 10;
+    std::vector<std::string> free;
+    std::set<std::string> seen;
+    for (const std::string& number : left_out_) {
+      if (free.size() > kMostNamed || !seen.insert(store::uniqueKey(number)).second) continue;
+      const Result<bool> is_free = sherds::Numbers(catalogue_).isFree(number);
+      if (!is_free) return is_free.error();
+      if (*is_free) free.push_back(free.size() == kMostNamed ? "\u2026" : number);
+    }
+    if (!free.empty())
+      report_.warnings.push_back(
+          message("Rows that are not imported leave their numbers free: %1; correct and import "
+                  "them before you assign new numbers.",
+                  joined(free, ", ")));
+    return {};
+  }
+
   void noteDamagedNumbers(const ImportRow& row) {
     constexpr std::size_t kMostNamed = 10;
     for (const auto& [name, value] : row.values) {
@@ -385,7 +407,7 @@ class Importing {
   ImportReport& report_;
   std::vector<FieldChange> done_, undo_;  ///< of the present row
   std::vector<std::string> similar_;      ///< numbers, each with the one that it resembles
-  std::vector<std::string> damaged_;
+  std::vector<std::string> damaged_, left_out_;
   /// Of the rows that have this number or uuid.
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines_;
   std::map<std::string, store::PersonRow> persons_;

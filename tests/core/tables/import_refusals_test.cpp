@@ -81,6 +81,25 @@ TEST_F(Import, NumbersThatReadAsOthersAreToldOnce) {
   EXPECT_TRUE(import(table).warnings.empty()) << "they are there now";
 }
 
+// Sherds with the trench's other spelling on them, one of which does not enter.
+TEST_F(Import, NumbersOfRowsThatDoNotEnterAreToldAndThoseThatDidAreContinued) {
+  import("number,site,trench,context\nOLD-1,ARM1,T3,0012\n");
+  ASSERT_TRUE(set(*sherds::Sherds(catalogue()).byNumber("OLD-1"), "number", "OLD-2"));
+  const ImportReport report = import(
+      "number,site,trench,context,part\narm1-t3-0012-0002,arm1,t3,0012,rim\n"
+      "arm1-t3-0012-0003,arm1,t3,0012,rimm\nold-1,arm1,t3,0012,\n");
+  EXPECT_EQ(report.refused, 2) << "no such part; the number was assigned before";
+  EXPECT_THAT(report.warnings,
+              testing::ElementsAre("Rows that are not imported leave their numbers free: "
+                                   "arm1-t3-0012-0003; correct and import them before you assign "
+                                   "new numbers."));
+  EXPECT_THAT(*sherds::Numbers(catalogue()).propose(std::vector{draft(context12)}),
+              testing::ElementsAre("ARM1-T3-0012-0003"));
+  import("number,site,trench,context\narm1-t3-0012-0007,arm1,t3,0012\n");
+  EXPECT_THAT(*sherds::Numbers(catalogue()).propose(std::vector{draft(context12)}),
+              testing::ElementsAre("ARM1-T3-0012-0008"));
+}
+
 TEST_F(Import, NumbersThatASpreadsheetDamagedAreToldOnce) {
   const std::string table =
       "number,site,trench,context,bag,note\n"

@@ -50,7 +50,7 @@ TEST_F(Joins, WithARowThatIsRefusedAreTold) {
              "X-6,ARM1,T3,0012,X-6\n");
   EXPECT_EQ(report.fresh, 1);
   EXPECT_EQ(of("X-1"), "");
-  EXPECT_THAT(report.warnings, testing::ElementsAre(testing::HasSubstr("left out: X-1 – X-2;")));
+  EXPECT_THAT(report.warnings, testing::Contains(testing::HasSubstr("left out: X-1 – X-2;")));
   EXPECT_EQ(report.refused, 3);
   EXPECT_THAT(report.refusals[1].reason, testing::HasSubstr("no sherd X-5 to join"));
   EXPECT_THAT(report.refusals[2].reason, testing::HasSubstr("cannot join itself"));

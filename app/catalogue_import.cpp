@@ -103,7 +103,8 @@ ordered_json refusalsJson(const std::vector<tables::Refusal>& refusals) {
 ordered_json changesJson(const std::vector<tables::ChangedValue>& changes) {
   ordered_json list = ordered_json::array();
   for (const tables::ChangedValue& change : changes)
-    list.push_back({{"number", change.name},
+    list.push_back({{"line", change.line},
+                    {"number", change.name},
                     {"field", change.field},
                     {"old", change.old_value},
                     {"new", change.new_value}});

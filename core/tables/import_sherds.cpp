@@ -112,7 +112,7 @@ class Importing {
     if (fate != RowFate::Same) noteDamagedNumbers(rows_[at]);
     report_.add(row.line, fate);
     if (fate != RowFate::Changed) return {};
-    if (const Result<void> told = tellChanges(entered); !told) return told;
+    if (const Result<void> told = tellChanges(entered, row.line); !told) return told;
     report_.changes.insert(report_.changes.end(), done_.begin(), done_.end());
     report_.undo.insert(report_.undo.end(), undo_.rbegin(), undo_.rend());  // turned at the end
     return {};
@@ -387,13 +387,13 @@ class Importing {
     valueOrThrow(sherds::Measurements(catalogue_).add(m, by));
   }
 
-  Result<void> tellChanges(SherdRow sherd) {
+  Result<void> tellChanges(SherdRow sherd, int line) {
     const Result<SherdRecord> after = sherds::Sherds(catalogue_).get(sherd);
     if (!after) return after.error();
     for (auto before = undo_.rbegin(); before != undo_.rend(); ++before)
       report_.changed_values.push_back({after->number.empty() ? after->id : after->number,
                                         before->field, before->value,
-                                        sherds::textOf(*after, before->field)});
+                                        sherds::textOf(*after, before->field), line});
     return {};
   }
 

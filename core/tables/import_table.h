@@ -60,6 +60,7 @@ struct Refusal {
 struct ChangedValue {
   std::string name;  ///< the sherd's number, or its uuid; of a context: its place
   std::string field, old_value, new_value;
+  int line = 0;  ///< of the table
 };
 enum class RowFate { Fresh, Same, Changed, Refused, Asked };
 struct ImportReport {
@@ -79,7 +80,7 @@ struct ImportReport {
   }
   /// Of sherds that were there before: what is changed, and what takes it back, in order.
   std::vector<records::FieldChange> changes, undo;
-  std::vector<ChangedValue> changed_values;  ///< of rows that count as changed
+  std::vector<ChangedValue> changed_values;
 };
 
 /// Refused rows stay out, the others enter, each of them whole, some at a time so that others can

@@ -11,6 +11,7 @@
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/look/look.h"
 #include "ui/tables/column_table.h"
@@ -153,12 +154,18 @@ void ImportDialog::fill() {
     auto* why = new QTableWidgetItem(row.refusal);
     why->setToolTip(row.refusal);
     table_->setItem(r, 2, why);
-    for (int c = 0; c < row.values.size() && c + 3 < table_->columnCount(); ++c)
-      table_->setItem(r, c + 3, new QTableWidgetItem(row.values[c]));
+    for (int c = 0; c < row.values.size() && c + 3 < table_->columnCount(); ++c) {
+      auto* cell = new QTableWidgetItem(row.values[c]);
+      if (row.changed.contains(c)) {
+        cell->setIcon(icon("edit"));
+        cell->setToolTip(row.values[c]);
+      }
+      table_->setItem(r, c + 3, cell);
+    }
   }
   // First: a hidden column has no width to keep.
   const bool reasons =
-      model_.report() && (model_.report()->refused > 0 || model_.report()->asked > 0);
+      std::ranges::any_of(rows, [](const auto& row) { return !row.refusal.isEmpty(); });
   table_->setColumnHidden(2, !reasons);
   table_->resizeColumnsToContents();
   const int most = fontMetrics().averageCharWidth() * 60;

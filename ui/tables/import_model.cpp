@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -11,6 +12,7 @@
 #include "files/files.h"
 #include "files/output_place.h"
 #include "records/records.h"
+#include "sherds/sherd_fields.h"
 #include "tables/csv.h"
 #include "tables/refused_rows.h"
 #include "ui/frame/project_session.h"
@@ -185,6 +187,28 @@ QString columnWords(const tables::ImportReport& report, const std::string& colum
   return named ? text(column) : fieldLabel(column);
 }
 
+QString shownValue(const std::string& field, const std::string& value) {
+  if (value.empty()) return QStringLiteral("–");
+  return isNumber(field) ? typedText(*sherds::sherdField(field), value) : text(value);
+}
+
+// What is there and is replaced, before the new value: in the cell that says so.
+void showChange(ImportModel::Row& row, const tables::ChangedValue& change,
+                const tables::ImportReport& report) {
+  const QString shown = QStringLiteral("%1 → %2").arg(shownValue(change.field, change.old_value),
+                                                      shownValue(change.field, change.new_value));
+  const auto& columns = report.mapping.columns;
+  const auto at = std::ranges::find(columns, change.field, &tables::ColumnChoice::field);
+  const auto column = static_cast<int>(at - columns.begin());
+  if (at == columns.end() || column >= row.values.size()) {
+    row.refusal += (row.refusal.isEmpty() ? QString() : QString(' ')) + fieldLabel(change.field) +
+                   QStringLiteral(": ") + shown;
+    return;
+  }
+  row.values[column] = shown;
+  row.changed.insert(column);
+}
+
 // The rows of a table with their fates; of an export folder only what is refused is listed.
 std::vector<ImportModel::Row> rowsOf(const tables::ImportReport& report,
                                      const tables::CsvTable* table) {
@@ -202,26 +226,32 @@ std::vector<ImportModel::Row> rowsOf(const tables::ImportReport& report,
   std::vector<ImportModel::Row> rows;
   if (table == nullptr) {
     for (const auto& [line, why] : refusals)
-      rows.push_back({line, tables::RowFate::Refused, {}, why});
+      rows.push_back({line, tables::RowFate::Refused, {}, {}, why});
     return rows;
   }
   std::map<int, const tables::CsvRow*> by_line;
   for (const tables::CsvRow& row : table->rows) by_line[row.line] = &row;
+  std::multimap<int, const tables::ChangedValue*> changes;
+  for (const tables::ChangedValue& change : report.changed_values)
+    changes.emplace(change.line, &change);
   using tables::RowFate;
   const auto take = [&](const std::set<RowFate>& fates) {
     for (const auto& [line, fate] : report.rows) {
       if (rows.size() == kMostRows) return;
       if (!fates.contains(fate)) continue;
-      ImportModel::Row row{line, fate, {}, refusals[line]};
+      ImportModel::Row row{line, fate, {}, {}, refusals[line]};
       if (const auto read = by_line.find(line); read != by_line.end())
         for (const std::string& value : read->second->values)
           row.values << text(tables::unguarded(value));
+      const auto [first, last] = changes.equal_range(line);
+      for (auto change = first; change != last; ++change) showChange(row, *change->second, report);
       rows.push_back(std::move(row));
     }
   };
   take({RowFate::Refused});
   take({RowFate::Asked});
-  take({RowFate::Fresh, RowFate::Changed, RowFate::Same});
+  take({RowFate::Changed});
+  take({RowFate::Fresh, RowFate::Same});
   return rows;
 }
 

@@ -26,8 +26,9 @@ class ImportModel final : public QObject {
   struct Row {
     int line = 0;
     tables::RowFate fate = tables::RowFate::Same;
-    QStringList values;
-    QString refusal;
+    QStringList values;     ///< "grey → black" where a value that is there becomes another
+    std::set<int> changed;  ///< of them, which
+    QString refusal;        ///< and what else becomes another, of which the table has no column
   };
 
   explicit ImportModel(QObject* parent = nullptr) : QObject(parent) {}
@@ -52,7 +53,7 @@ class ImportModel final : public QObject {
   const QStringList& columns() const { return columns_; }
   const std::vector<Row>& rows() const {
     return rows_;
-  }  ///< the first thousand; refused ones first, then those that ask
+  }  ///< the first thousand; refused ones first, then those that ask, then those that change
   const std::optional<tables::ImportReport>& report() const { return report_; }
   QString summary() const;  ///< "3 new, 2 changed, 10 as they are, 1 refused."
   QString problem() const { return problem_; }

@@ -123,6 +123,7 @@ TEST_F(Import, OfChangesNamesWhatIsReplaced) {
   const ChangedValue& ware = report.changed_values[0].field == "ware" ? report.changed_values[0]
                                                                       : report.changed_values[1];
   EXPECT_EQ(ware.name, "X-1");
+  EXPECT_EQ(ware.line, 2);
   EXPECT_EQ(ware.old_value, "grey");
   EXPECT_EQ(ware.new_value, "cooking");
   EXPECT_TRUE(import("number,site,trench,context\nX-2,ARM1,T3,0012\n").changed_values.empty());
@@ -133,6 +134,7 @@ TEST_F(Import, OfChangesNamesWhatIsReplaced) {
   EXPECT_EQ(bags.changed_values[0].name, "ARM1 T3 0012");
   EXPECT_EQ(bags.changed_values[0].new_value, "Iron Age");
   EXPECT_EQ(bags.changed_values[1].name, "ARM1 T3 0012, bag 4");
+  EXPECT_EQ(bags.changed_values[1].line, 2);
   EXPECT_EQ(bags.changed_values[1].old_value, "12.5");
   EXPECT_EQ(bags.changed_values[1].new_value, "13");
 }

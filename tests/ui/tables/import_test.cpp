@@ -92,6 +92,9 @@ class ImportTest : public QObject {
     QVERIFY(rows->item(1, 2)->text().contains("0001"));
     QCOMPARE(rows->item(2, 1)->text(), QString("updated"));
     QCOMPARE(rows->item(2, 3)->text(), QString("ARM1-T3-0012-0001"));
+    QCOMPARE(rows->item(2, 7)->text(), QString("grey → black"));
+    QVERIFY2(!rows->item(2, 7)->icon().isNull(), "colour and arrow do not speak alone");
+    QVERIFY(rows->item(2, 3)->icon().isNull());
     QCOMPARE(child<QPushButton>("importEnter")->text(), QString("Import 2 row(s)"));
     QCOMPARE(sample_->value(0, "ware"), QString("grey"));
     QTest::mouseClick(child<QPushButton>("importCancel"), Qt::LeftButton);

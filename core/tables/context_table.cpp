@@ -91,8 +91,7 @@ std::string placeOf(const records::ContextRecord& context) {
 
 std::vector<Column> fieldsOf(const records::ContextRecord& c) {
   return {{"kind", c.kind},           {"excavated_on", c.excavated_on}, {"period", c.period},
-          {"date_edtf", c.date_edtf}, {"closed", c.closedWord()},       {"note", c.note},
-          {"extra", c.extra_json}};
+          {"date_edtf", c.date_edtf}, {"closed", c.closedWord()},       {"note", c.note}};
 }
 
 std::vector<Column> fieldsOf(const records::BagRecord& b) {
@@ -123,12 +122,34 @@ bool checked(const Result<Value>& value, const char* column, Faults& faults) {
   return false;
 }
 
-// What was there before, and is another now. Throws Refused where the row cannot be looked at to
-// its end.
-std::vector<ChangedValue> enterRow(Catalogue& catalogue, const BagPlace& place,
-                                   const Values& values, const records::Provenance& provenance,
-                                   Faults& faults, std::vector<std::string>& made) {
+// Custom fields, as the columns of tables call them.
+void addOwnDifferences(std::vector<ChangedValue>& changed, const std::string& name,
+                       const std::string& before, const std::string& after) {
+  const nlohmann::json then = jsonOrDiscarded(before), now = jsonOrDiscarded(after);
+  const auto valueIn = [](const nlohmann::json& fields, const std::string& key) {
+    if (!fields.is_object() || !fields.contains(key)) return std::string();
+    return fields[key].is_string() ? fields[key].get<std::string>() : fields[key].dump();
+  };
+  std::set<std::string> keys;
+  for (const nlohmann::json* fields : {&then, &now})
+    for (const auto& field : fields->items()) keys.insert(field.key());
+  for (const std::string& key : keys)
+    if (const std::string old = valueIn(then, key), is = valueIn(now, key); old != is)
+      changed.push_back({name, "extra." + key, old, is});
+}
+
+struct EnteredRow {
+  bool fresh = false;                 ///< its context or its bag was not there
+  std::vector<ChangedValue> changed;  ///< what was there before, and is another now
+};
+
+// Throws Refused where the row cannot be looked at to its end.
+EnteredRow enterRow(Catalogue& catalogue, const BagPlace& place, const Values& values,
+                    const records::Provenance& provenance, Faults& faults,
+                    std::vector<std::string>& made) {
   Places known(catalogue);
+  EnteredRow entered;
+  entered.fresh = !valueOrThrow(known.contextByPlace(place.site, place.trench, place.context));
   const auto row =
       valueOrThrow(known.contextAt(place.site, place.trench, place.context, provenance, made));
   const records::ContextRecord found = valueOrThrow(known.context(row));
@@ -151,11 +172,14 @@ std::vector<ChangedValue> enterRow(Catalogue& catalogue, const BagPlace& place,
   if (!checked(store::checkedEdtf(context.date_edtf), "date_edtf", faults))
     context.date_edtf = found.date_edtf;
   checked(known.save(context, provenance), "context", faults);
-  std::vector<ChangedValue> changed;
-  addDifferences(changed, placeOf(context), found, context);
-  if (place.bag.empty()) return changed;
+  if (!entered.fresh) {
+    addDifferences(entered.changed, placeOf(context), found, context);
+    addOwnDifferences(entered.changed, placeOf(context), found.extra_json, context.extra_json);
+  }
+  if (place.bag.empty()) return entered;
+  const bool fresh_bag = !valueOrThrow(known.bagByNumber(row, place.bag));
   const Result<store::BagRow> bag_row = known.bagAt(row, place.bag, provenance);
-  if (!checked(bag_row, "bag", faults)) return changed;
+  if (!checked(bag_row, "bag", faults)) return entered;
   const std::vector<records::BagRecord> bags = valueOrThrow(known.bags(row));
   const records::BagRecord before = *std::ranges::find(bags, *bag_row, &records::BagRecord::row);
   records::BagRecord bag = before;
@@ -174,8 +198,10 @@ std::vector<ChangedValue> enterRow(Catalogue& catalogue, const BagPlace& place,
   }
   bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
   checked(known.save(bag, provenance), "bag", faults);
-  addDifferences(changed, placeOf(context) + ", bag " + bag.number, before, bag);
-  return changed;
+  if (!fresh_bag)
+    addDifferences(entered.changed, placeOf(context) + ", bag " + bag.number, before, bag);
+  entered.fresh = entered.fresh || fresh_bag;
+  return entered;
 }
 
 // Each row whole or not at all, and what became of it.
@@ -198,17 +224,11 @@ class ContextRows {
     const Result<BagPlace> place = values.place(catalogue_);
     if (!place && place.error().code != ErrorCode::UnusableInput) return place.error();
     if (!place) faults.emplace_back("context", place.error().sentence());
-    const Result<store::ContextRow> known =
-        place ? catalogue::Places(catalogue_)
-                    .contextByPlace(place->site, place->trench, place->context)
-              : store::ContextRow();
-    const bool fresh = !known || !*known;
     const std::int64_t before = History(catalogue_).length();
-    std::vector<ChangedValue> changed_values;
+    EnteredRow of_row;
     std::vector<std::string> made;
     const Result<void> entered = catalogue_.together([&]() -> Result<void> {
-      if (faults.empty())
-        changed_values = enterRow(catalogue_, *place, values, provenance_, faults, made);
+      if (faults.empty()) of_row = enterRow(catalogue_, *place, values, provenance_, faults, made);
       return faults.empty() ? Result<void>() : Error::unusable(faults.front().second);
     });
     if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
@@ -220,11 +240,13 @@ class ContextRows {
       return {};
     }
     const bool changed = History(catalogue_).length() > before;
-    const RowFate fate = fresh ? RowFate::Fresh : changed ? RowFate::Changed : RowFate::Same;
-    report_.add(row.line, fate);
-    if (fate == RowFate::Changed)
-      report_.changed_values.insert(report_.changed_values.end(), changed_values.begin(),
-                                    changed_values.end());
+    report_.add(row.line, of_row.fresh ? RowFate::Fresh
+                          : changed    ? RowFate::Changed
+                                       : RowFate::Same);
+    for (ChangedValue& value : of_row.changed) {
+      value.line = row.line;
+      report_.changed_values.push_back(std::move(value));
+    }
     made_.insert(made.begin(), made.end());
     return {};
   }

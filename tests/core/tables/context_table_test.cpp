@@ -34,6 +34,25 @@ TEST_F(Import, OfContextsMakesAndChangesThem) {
   EXPECT_EQ(again.fresh + again.changed, 0);
 }
 
+TEST_F(Import, OfContextsCountsABagThatItMakesAsNewAndTellsWhatItReplaces) {
+  import("site,trench,context,period,drawer\nARM1,T3,0012,Roman,A\n");
+  const std::string table =
+      "site,trench,context,period,drawer,bag,weight_g\nARM1,T3,0012,Iron Age,B,9,120\n"
+      "ARM1,T3,0013,,,1,\n";
+  const ImportReport report = import(table, ImportMode::Preview);
+  EXPECT_EQ(report.fresh, 1) << "bag 9";
+  EXPECT_EQ(report.changed, 0);
+  EXPECT_EQ(report.same, 1) << "bag 1 is there";
+  ASSERT_EQ(report.changed_values.size(), 2u) << "nothing of the new bag";
+  for (const ChangedValue& value : report.changed_values) EXPECT_EQ(value.line, 2);
+  EXPECT_EQ(report.changed_values[0].old_value + report.changed_values[0].new_value,
+            "RomanIron Age");
+  EXPECT_EQ(report.changed_values[1].field, "extra.drawer");
+  EXPECT_EQ(report.changed_values[1].old_value + report.changed_values[1].new_value, "AB");
+  import(table);
+  EXPECT_EQ(import(table).same, 2);
+}
+
 TEST_F(Import, OfContextsNamesTheSitesThatItMakesAndTheKindsThatThereAre) {
   const ImportReport report =
       import("site,trench,context,kind\nNOPE,T1,0010,layer\nNOPE,T1,0011,pit\nNIX,T1,0012,hole\n");

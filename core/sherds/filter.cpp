@@ -89,13 +89,12 @@ std::string customField(const std::string& name, const std::string& typed) {
   return typed.starts_with('"') || typed.starts_with("-\"") ? "extra." + name : std::string();
 }
 
-// A text that may hold several words.
+// A text that may hold several words, or a number of several parts.
 bool isFreeText(const SherdColumn& column) {
   using K = records::FieldKind;
   const K kind = column.field.kind;
   return column.text && column.field.editable &&
-         (kind == K::Text || kind == K::Munsell || kind == K::Edtf) &&
-         column.field.name != std::string_view("number");
+         (kind == K::Text || kind == K::Munsell || kind == K::Edtf);
 }
 
 Result<Condition> conditionOf(Piece piece) {

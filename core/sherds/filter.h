@@ -25,11 +25,12 @@ struct Condition {
 
 /// `rim T3 thickness>6 -burnt ware:grey surface_out:"" note:*`: words are looked for in all texts,
 /// short ones (below three letters) as whole place or term; name:word is a text that has the word
-/// in it (numbers and short words only whole), another field that equals it; name:"value" equality,
-/// name:* any value, name:"" none; extra.NAME:word or "Its name":word a custom field; < <= > >=
-/// compare numbers (12,5 and 12.5 mean the same; equality holds as far as digits are typed) and
-/// days, months or years: entered>=2026-07-01 excavated:2025. The code of a sherd's label finds the
-/// sherd that carries it, though its number is another by now.
+/// in it (short words and digits only whole), number:t3-12 a number that has these parts after each
+/// other, another field one that equals it; name:"value" equality, name:* any value, name:"" none;
+/// extra.NAME:word or "Its name":word a custom field; < <= > >= compare numbers (12,5 and 12.5 mean
+/// the same; equality holds as far as digits are typed) and days, months or years:
+/// entered>=2026-07-01 excavated:2025. The code of a sherd's label finds the sherd that carries it,
+/// though its number is another by now.
 struct Filter {
   std::vector<Condition> conditions;
   std::string text() const;  ///< the line again

@@ -158,6 +158,13 @@ std::string equalSql(Query& query, const SherdColumn& column, const std::string&
   return std::string(column.sql) + " = " + query.mark(value) + " COLLATE NOCASE";
 }
 
+// Whole parts of a number that follow each other, as its sort key separates them: t3-12 of
+// ARM1-T3-0012-0007.
+std::string partOfNumberSql(Query& query, const std::string& part) {
+  const std::string key = store::sortKey(part);
+  return "instr('-' || s.number_sort || '-', " + query.mark("-" + key + "-") + ") > 0";
+}
+
 const char* signOf(Condition::Is is) {
   switch (is) {
     case Condition::Is::Less:
@@ -179,6 +186,8 @@ std::string conditionSql(Query& query, const Condition& condition) {
   if (condition.field.starts_with("extra.")) return textSql(query, nullptr, condition);
   const SherdColumn* column = sherdColumn(condition.field);
   if (!column) store::refuse(message("There is no field '%1'.", condition.field), condition.text);
+  if (condition.is == Is::Contains && column->field.name == std::string_view("number"))
+    return partOfNumberSql(query, condition.value);
   if (condition.is == Is::Contains) return textSql(query, column, condition);
   if (condition.is == Is::Empty) return emptySql(*column);
   if (condition.is == Is::NotEmpty) return "NOT (" + emptySql(*column) + ")";

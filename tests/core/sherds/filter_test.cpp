@@ -181,9 +181,21 @@ TEST_F(Filters, OtherFieldsAreComparedWhole) {
   EXPECT_EQ(letters("context:0013"), "cd");
   EXPECT_EQ(letters("trench:t3 bag:5"), "b");
   EXPECT_EQ(letters("site:ARM1 bag:\"\""), "d");
-  EXPECT_EQ(letters("number:arm1-t3-13-2"), "d");
   EXPECT_EQ(letters("state:draft"), "");
   EXPECT_EQ(letters("surface_out:*"), "a");
+}
+
+TEST_F(Filters, ANumberIsFoundByPartsOfIt) {
+  EXPECT_EQ(letters("number:arm1-t3-13-2"), "d") << "the whole number";
+  EXPECT_EQ(letters("number:t3-0012"), "ab");
+  EXPECT_EQ(letters("number:T3/12"), "ab");
+  EXPECT_EQ(letters("number:0012-0002"), "b");
+  EXPECT_EQ(letters("number:2 context:0013"), "d");
+  EXPECT_EQ(letters("-number:12"), "cd");
+  for (const char* no_part : {"number:3-0012", "number:t3-001", "number:0012-t3", "number:arm"})
+    EXPECT_EQ(letters(no_part), "") << no_part;
+  EXPECT_EQ(letters("number:\"t3-0012\""), "") << "exactly this";
+  EXPECT_EQ(letters("number:\"arm1-t3-0012-1\""), "a");
 }
 
 TEST_F(Filters, TermsAreFoundHoweverTheVocabularySpellsThem) {

@@ -34,8 +34,9 @@ struct ImportArguments {
   bool enter = false, make_places = false, keep_both = false;
 };
 
-const char* chosenBy(tables::ChosenBy by) {
-  switch (by) {
+const char* chosenBy(const tables::ColumnChoice& choice) {
+  if (choice.isOnlyShown()) return "only shown, never read";
+  switch (choice.by) {
     case tables::ChosenBy::Name:
       return "by its name";
     case tables::ChosenBy::Earlier:
@@ -54,8 +55,8 @@ void printMapping(const tables::TableMapping& mapping) {
   for (const tables::ColumnChoice& choice : mapping.columns) {
     const std::string unit = choice.unit.empty() ? std::string() : " in " + choice.unit;
     show(stderr, "column '%s': %s%s (%s%s)\n", choice.column.c_str(),
-         choice.field.empty() ? "left out" : choice.field.c_str(), unit.c_str(),
-         chosenBy(choice.by), choice.unit_guessed ? "; the unit is a guess" : "");
+         choice.field.empty() ? "left out" : choice.field.c_str(), unit.c_str(), chosenBy(choice),
+         choice.unit_guessed ? "; the unit is a guess" : "");
   }
 }
 
@@ -85,7 +86,7 @@ ordered_json mappingJson(const tables::TableMapping& mapping) {
     columns.push_back({{"column", choice.column},
                        {"field", choice.field},
                        {"unit", choice.unit},
-                       {"chosen", chosenBy(choice.by)},
+                       {"chosen", chosenBy(choice)},
                        {"unit_guessed", choice.unit_guessed}});
   return columns;
 }

@@ -9378,6 +9378,21 @@
       <translation>Anpassungen an Zeilen, die nicht importiert wurden, sind ausgelassen: %1; diese Zeilen berichtigen, dann die Tabelle noch einmal importieren.</translation>
     </message>
     <message>
+      <source>The sherd has a void_reason, so it is void; write void here, or %1 under void_reason.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Scherbe hat einen void_reason und ist also ungültig; hier void eintragen oder %1 unter void_reason.</translation>
+    </message>
+    <message>
+      <source>A sherd is void only with a reason; write it under void_reason, or correct the state.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe ist nur mit einem Grund ungültig; ihn unter void_reason eintragen oder den Zustand berichtigen.</translation>
+    </message>
+    <message>
+      <source>The state must be draft, numbered or void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Zustand muss draft, numbered oder void sein.</translation>
+    </message>
+    <message>
       <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zeilen, die nicht importiert werden, lassen ihre Nummern frei: %1; sie berichtigen und importieren, bevor neue Nummern vergeben werden.</translation>
@@ -10622,6 +10637,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>sagt nichts über die Scherbe</translation>
+    </message>
+    <message>
+        <source>only shown, never read</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>nur gezeigt, nie gelesen</translation>
     </message>
     <message>
         <source>share of 1</source>

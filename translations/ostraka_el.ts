@@ -9378,6 +9378,21 @@
       <translation>Οι συγκολλήσεις με γραμμές που δεν καταχωρίστηκαν παραλείπονται: %1· εισαγάγετε ξανά τον πίνακα όταν διορθωθούν αυτές οι γραμμές.</translation>
     </message>
     <message>
+      <source>The sherd has a void_reason, so it is void; write void here, or %1 under void_reason.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όστρακο έχει void_reason, άρα είναι άκυρο· γράψτε εδώ void ή %1 στο void_reason.</translation>
+    </message>
+    <message>
+      <source>A sherd is void only with a reason; write it under void_reason, or correct the state.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όστρακο είναι άκυρο μόνο με έναν λόγο· γράψτε τον στο void_reason ή διορθώστε την κατάσταση.</translation>
+    </message>
+    <message>
+      <source>The state must be draft, numbered or void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κατάσταση πρέπει να είναι draft, numbered ή void.</translation>
+    </message>
+    <message>
       <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι γραμμές που δεν εισάγονται αφήνουν ελεύθερους τους αριθμούς τους: %1· διορθώστε τις και εισαγάγετέ τις πριν δοθούν νέοι αριθμοί.</translation>
@@ -10622,6 +10637,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>δεν λέει τίποτα για το όστρακο</translation>
+    </message>
+    <message>
+        <source>only shown, never read</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>μόνο εμφανίζεται, δεν διαβάζεται ποτέ</translation>
     </message>
     <message>
         <source>share of 1</source>

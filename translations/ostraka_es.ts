@@ -9378,6 +9378,21 @@
       <translation>Se omiten las uniones con filas que no se importaron: %1; corrija esas filas e importe la tabla otra vez.</translation>
     </message>
     <message>
+      <source>The sherd has a void_reason, so it is void; write void here, or %1 under void_reason.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El fragmento tiene un void_reason, así que está anulado; escriba void aquí, o %1 en void_reason.</translation>
+    </message>
+    <message>
+      <source>A sherd is void only with a reason; write it under void_reason, or correct the state.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fragmento solo está anulado con un motivo; escríbalo en void_reason o corrija el estado.</translation>
+    </message>
+    <message>
+      <source>The state must be draft, numbered or void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El estado debe ser draft, numbered o void.</translation>
+    </message>
+    <message>
       <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las filas que no se importan dejan libres sus números: %1; corríjalas e impórtelas antes de asignar números nuevos.</translation>
@@ -10622,6 +10637,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>no dice nada del fragmento</translation>
+    </message>
+    <message>
+        <source>only shown, never read</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>solo se muestra, nunca se lee</translation>
     </message>
     <message>
         <source>share of 1</source>

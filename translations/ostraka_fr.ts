@@ -9378,6 +9378,21 @@
       <translation>Les remontages avec des lignes qui n’ont pas été importées sont omis : %1 ; corrigez ces lignes, puis importez de nouveau le tableau.</translation>
     </message>
     <message>
+      <source>The sherd has a void_reason, so it is void; write void here, or %1 under void_reason.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tesson a un void_reason, il est donc annulé ; écrivez void ici, ou %1 sous void_reason.</translation>
+    </message>
+    <message>
+      <source>A sherd is void only with a reason; write it under void_reason, or correct the state.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tesson n’est annulé qu’avec une raison ; écrivez-la sous void_reason, ou corrigez l’état.</translation>
+    </message>
+    <message>
+      <source>The state must be draft, numbered or void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’état doit être draft, numbered ou void.</translation>
+    </message>
+    <message>
       <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les lignes qui ne sont pas importées laissent leurs numéros libres : %1 ; corrigez-les et importez-les avant d’attribuer de nouveaux numéros.</translation>
@@ -10622,6 +10637,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>ne dit rien du tesson</translation>
+    </message>
+    <message>
+        <source>only shown, never read</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>seulement affiché, jamais lu</translation>
     </message>
     <message>
         <source>share of 1</source>

@@ -9378,6 +9378,21 @@
       <translation>Չներմուծված տողերի հետ կցումները բաց են թողնվել. %1. ուղղեք այդ տողերը, ապա կրկին ներմուծեք աղյուսակը։</translation>
     </message>
     <message>
+      <source>The sherd has a void_reason, so it is void; write void here, or %1 under void_reason.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորն ունի void_reason, ուրեմն անվավեր է. այստեղ գրեք void կամ void_reason սյունակում՝ %1։</translation>
+    </message>
+    <message>
+      <source>A sherd is void only with a reason; write it under void_reason, or correct the state.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորն անվավեր է միայն պատճառով. գրեք այն void_reason սյունակում կամ ուղղեք վիճակը։</translation>
+    </message>
+    <message>
+      <source>The state must be draft, numbered or void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վիճակը պետք է լինի draft, numbered կամ void։</translation>
+    </message>
+    <message>
       <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չներմուծված տողերն ազատ են թողնում իրենց համարները. %1. ուղղեք և ներմուծեք դրանք նախքան նոր համարներ տալը։</translation>
@@ -10622,6 +10637,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>բեկորի մասին ոչինչ չի ասում</translation>
+    </message>
+    <message>
+        <source>only shown, never read</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>միայն ցուցադրվում է, երբեք չի կարդացվում</translation>
     </message>
     <message>
         <source>share of 1</source>

@@ -9330,6 +9330,21 @@
       <translation>Girilmeyen satırlarla birleşmeler dışarıda bırakıldı: %1; bu satırlar düzeltilince tabloyu yeniden içe aktarın.</translation>
     </message>
     <message>
+      <source>The sherd has a void_reason, so it is void; write void here, or %1 under void_reason.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçanın void_reason değeri var, yani geçersiz; buraya void ya da void_reason altına %1 yazın.</translation>
+    </message>
+    <message>
+      <source>A sherd is void only with a reason; write it under void_reason, or correct the state.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir parça ancak bir nedenle geçersizdir; nedeni void_reason altına yazın ya da durumu düzeltin.</translation>
+    </message>
+    <message>
+      <source>The state must be draft, numbered or void.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durum draft, numbered ya da void olmalıdır.</translation>
+    </message>
+    <message>
       <source>Rows that are not imported leave their numbers free: %1; correct and import them before you assign new numbers.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İçe aktarılmayan satırlar numaralarını boş bırakır: %1; yeni numara vermeden önce bunları düzeltip içe aktarın.</translation>
@@ -10574,6 +10589,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>parça hakkında bir şey söylemiyor</translation>
+    </message>
+    <message>
+        <source>only shown, never read</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>yalnızca gösterilir, hiç okunmaz</translation>
     </message>
     <message>
         <source>share of 1</source>

@@ -278,6 +278,12 @@ std::optional<std::string> shifted(const std::string& text, int tens) {
 
 }  // namespace
 
+// A uuid tells which sherd is meant, and a state is compared.
+bool ColumnChoice::isOnlyShown() const {
+  const records::SherdField* known = sherds::sherdField(field);
+  return known && !known->editable && field != "uuid" && field != "state";
+}
+
 std::vector<std::string> fieldsOfTables(bool of_contexts) {
   if (of_contexts)
     return {"site",         "trench",        "context",  "kind",    "excavated_on",

@@ -26,6 +26,8 @@ struct ColumnChoice {
   std::vector<std::string> samples = {};  ///< the first values that are not blank
   bool unit_idle = false;                 ///< nothing says it, and the values leave no other
   bool isOwn() const { return field.starts_with("extra."); }
+  /// The program alone writes the field: exports show it, an import never reads it.
+  bool isOnlyShown() const;
 };
 
 struct TableMapping {

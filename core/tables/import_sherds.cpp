@@ -10,6 +10,7 @@
 #include "catalogue/typed_place.h"
 #include "records/records.h"
 #include "records/sherd.h"
+#include "records/words.h"
 #include "sherds/measurements.h"
 #include "sherds/numbers.h"
 #include "sherds/sherd_changes.h"
@@ -98,9 +99,9 @@ class Importing {
     if (!done && done.error().code != ErrorCode::UnusableInput) return done;
     if (!done) {
       if (faults_.empty()) fault({}, {}, done.error().sentence());
-      for (Refusal& one : faults_) {
       if (const std::string number = valueOf(row, "number"); !number.empty())
         left_out_.push_back(number);
+      for (Refusal& one : faults_) {
         one.line = row.line;
         (asks_ ? report_.questions : report_.refusals).push_back(std::move(one));
       }
@@ -130,8 +131,8 @@ class Importing {
           message("A spreadsheet may have shortened these numbers or turned them into dates: %1; "
                   "compare them with the labels and correct them.",
                   joined(damaged_, ", ")));
-    const Result<std::vector<std::string>> lost = joins_.lost(catalogue_);
     if (const Result<void> told = tellFreeNumbers(); !told) return told;
+    const Result<std::vector<std::string>> lost = joins_.lost(catalogue_);
     if (!lost) return lost.error();
     if (!lost->empty())
       report_.warnings.push_back(
@@ -157,7 +158,6 @@ class Importing {
     return {};
   }
 
-  // Of the sherd and of its place, each once.
   // Of rows that did not enter: they may be written on sherds, and nothing else tells of them.
   Result<void> tellFreeNumbers() {
     constexpr std::size_t kMostNamed = 10;
@@ -177,6 +177,7 @@ class Importing {
     return {};
   }
 
+  // Of the sherd and of its place, each once.
   void noteDamagedNumbers(const ImportRow& row) {
     constexpr std::size_t kMostNamed = 10;
     for (const auto& [name, value] : row.values) {
@@ -271,6 +272,7 @@ class Importing {
       }
     }
     const SherdRecord now = valueOrThrow(sherds::Sherds(catalogue_).get(sherd));
+    checkState(row, now);
     std::vector<FieldChange> changes;
     const bool confirmed =
         options_.asked_rows == AskedRows::Enter || options_.confirmed_lines.contains(row.line);
@@ -330,6 +332,30 @@ class Importing {
         fault(m.kind, {}, done.error().sentence());
     }
     return changed;
+  }
+
+  // The state follows from the number and from void_reason: one that says another thing would be
+  // lost without a word.
+  void checkState(const ImportRow& row, const SherdRecord& now) {
+    const std::string typed = valueOf(row, "state"), state = store::uniqueKey(typed);
+    if (state.empty()) return;
+    constexpr auto& words = records::Words<records::SherdState>::all;
+    if (std::ranges::find(words, state) == words.end())
+      return fault("state", typed, message("The state must be draft, numbered or void."));
+    const auto reason = row.values.find("void_reason");
+    const bool is_void = reason == row.values.end() || reason->second.empty()
+                             ? now.state == records::SherdState::Void
+                             : reason->second != kClear;
+    const bool says_void = state == records::wordOf(records::SherdState::Void);
+    if (says_void && !is_void)
+      fault("state", typed,
+            message("A sherd is void only with a reason; write it under void_reason, or correct "
+                    "the state."));
+    if (!says_void && is_void)
+      fault("state", typed,
+            message("The sherd has a void_reason, so it is void; write void here, or %1 under "
+                    "void_reason.",
+                    kClear));
   }
 
   // Whether anything is another now; else what is wrong with each of them.

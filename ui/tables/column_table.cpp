@@ -20,6 +20,7 @@ QString customField(const tables::ColumnChoice& choice) {
 QString whyOf(const tables::ColumnChoice& choice) {
   if (choice.field.empty() && choice.by != tables::ChosenBy::Person)
     return ColumnTable::tr("says nothing about the sherd");
+  if (choice.isOnlyShown()) return ColumnTable::tr("only shown, never read");
   if (choice.unit_guessed) return ColumnTable::tr("unit guessed from the values; check it");
   switch (choice.by) {
     case tables::ChosenBy::Name:

@@ -111,6 +111,14 @@ TEST_F(Columns, AreEnteredInTheFieldsOwnUnitsExactly) {
       << "what is left out is nowhere";
 }
 
+TEST_F(Columns, ThatOnlyTheProgramWritesAreShownAndNeverRead) {
+  std::string shown;
+  for (const ColumnChoice& choice :
+       map("number,uuid,state,batch,scale,area_mm2,volume_mm3,filled_pct,weight_g,note\n")->columns)
+    if (choice.isOnlyShown()) shown += choice.column + ' ';
+  EXPECT_EQ(shown, "batch scale area_mm2 volume_mm3 filled_pct ");
+}
+
 TEST_F(Columns, ThatWereProposedStayProposalsWhereTheyAreGivenBackUnchanged) {
   const std::string table = "Nummer;Gewicht;Schublade;Zahl\nX-1;50;7;3\n";
   TableMapping seen = *map(table);

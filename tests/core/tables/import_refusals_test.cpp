@@ -100,6 +100,30 @@ TEST_F(Import, NumbersOfRowsThatDoNotEnterAreToldAndThoseThatDidAreContinued) {
               testing::ElementsAre("ARM1-T3-0012-0008"));
 }
 
+TEST_F(Import, OfAStateThatContradictsTheReasonIsRefused) {
+  const std::string head = "number,site,trench,context,state,void_reason\n";
+  import(head + "X-1,ARM1,T3,0012,numbered,\nX-2,ARM1,T3,0012,void,a stone\n");
+  EXPECT_EQ(valueOf(*sherds::Sherds(catalogue()).byNumber("X-2"), "state"), "void");
+  const auto fate = [&](const std::string& of_row) {
+    const ImportReport report =
+        import("number,state,void_reason\n" + of_row + "\n", ImportMode::Preview);
+    return !report.refusals.empty() ? report.refusals[0].column
+           : report.changed == 1    ? std::string("changed")
+                                    : "same";
+  };
+  EXPECT_EQ(fate("X-1,Numbered,"), "same");
+  EXPECT_EQ(fate("X-1,void,"), "state") << "no reason";
+  EXPECT_EQ(fate("X-1,void,lost"), "changed");
+  EXPECT_EQ(fate("X-1,numbered,lost"), "state");
+  EXPECT_EQ(fate("X-1,rubbish,"), "state");
+  EXPECT_EQ(fate("X-2,numbered,"), "state") << "void still";
+  EXPECT_EQ(fate("X-2,numbered,<clear>"), "changed");
+  EXPECT_EQ(fate("X-2,void,"), "same");
+  EXPECT_EQ(why(head + "X-9,ARM1,T3,0012,void,\n"),
+            "2 state void: A sherd is void only with a reason; write it under void_reason, or "
+            "correct the state.");
+}
+
 TEST_F(Import, NumbersThatASpreadsheetDamagedAreToldOnce) {
   const std::string table =
       "number,site,trench,context,bag,note\n"

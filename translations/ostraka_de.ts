@@ -5793,6 +5793,16 @@
       <translation>Das ist kein Archiv eines ganzen Projekts; statt dessen als Export importieren.</translation>
     </message>
     <message>
+      <source>This is a project already, not an archive of one; open it as it is.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist schon ein Projekt und kein Archiv; es öffnen, wie es ist.</translation>
+    </message>
+    <message>
+      <source>This is an archive of a whole project, not an export; restore it (ostraka catalogue restore), then merge the restored project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist das Archiv eines ganzen Projekts und kein Export; es wiederherstellen (ostraka catalogue restore), dann das wiederhergestellte Projekt zusammenführen.</translation>
+    </message>
+    <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei oder der Ordner lässt sich nicht schreiben (%1); einen anderen Ort wählen oder die Zugriffsrechte prüfen.</translation>
@@ -7606,6 +7616,11 @@
       <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine Textdatei: Sie enthält binäre Daten, die keine Tabelle hat.</translation>
+    </message>
+    <message>
+      <source>This is a spreadsheet (ODS, XLSX), not a CSV table; save the sheet as 'CSV UTF-8' and import that file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist eine Arbeitsmappe (ODS, XLSX) und keine CSV-Tabelle; das Blatt als 'CSV UTF-8' speichern und diese Datei importieren.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

@@ -5793,6 +5793,16 @@
       <translation>Αυτό δεν είναι αρχείο ολόκληρου έργου· εισαγάγετέ το ως εξαγωγή.</translation>
     </message>
     <message>
+      <source>This is a project already, not an archive of one; open it as it is.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι ήδη έργο, όχι αρχείο έργου· ανοίξτε το όπως είναι.</translation>
+    </message>
+    <message>
+      <source>This is an archive of a whole project, not an export; restore it (ostraka catalogue restore), then merge the restored project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι αρχείο ολόκληρου έργου, όχι εξαγωγή· επαναφέρετέ το (ostraka catalogue restore) και μετά συγχωνεύστε το έργο.</translation>
+    </message>
+    <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν γίνεται εγγραφή εδώ (%1)· επιλέξτε άλλη θέση ή ελέγξτε τα δικαιώματά της.</translation>
@@ -7606,6 +7616,11 @@
       <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο δεν είναι κείμενο: περιέχει δυαδικά δεδομένα, που κανένας πίνακας δεν έχει.</translation>
+    </message>
+    <message>
+      <source>This is a spreadsheet (ODS, XLSX), not a CSV table; save the sheet as 'CSV UTF-8' and import that file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι υπολογιστικό φύλλο (ODS, XLSX), όχι πίνακας CSV· αποθηκεύστε το φύλλο ως 'CSV UTF-8' και εισαγάγετε εκείνο το αρχείο.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

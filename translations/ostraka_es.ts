@@ -5793,6 +5793,16 @@
       <translation>No es la copia de archivo de un proyecto entero; impórtela como una exportación.</translation>
     </message>
     <message>
+      <source>This is a project already, not an archive of one; open it as it is.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esto ya es un proyecto, no una copia de archivo; ábralo tal como está.</translation>
+    </message>
+    <message>
+      <source>This is an archive of a whole project, not an export; restore it (ostraka catalogue restore), then merge the restored project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es la copia de archivo de un proyecto entero, no una exportación; restáurela (ostraka catalogue restore) y una después el proyecto restaurado.</translation>
+    </message>
+    <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo o la carpeta no se puede escribir (%1); elija otro lugar o revise sus permisos.</translation>
@@ -7606,6 +7616,11 @@
       <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es un archivo de texto: contiene datos binarios, que ninguna tabla tiene.</translation>
+    </message>
+    <message>
+      <source>This is a spreadsheet (ODS, XLSX), not a CSV table; save the sheet as 'CSV UTF-8' and import that file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es un libro de cálculo (ODS, XLSX), no una tabla CSV; guarde la hoja como 'CSV UTF-8' e importe ese archivo.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

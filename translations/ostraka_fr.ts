@@ -5793,6 +5793,16 @@
       <translation>Ce n’est pas l’archive d’un projet entier ; importez-la plutôt comme une exportation.</translation>
     </message>
     <message>
+      <source>This is a project already, not an archive of one; open it as it is.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est déjà un projet, pas une archive ; ouvrez-le tel quel.</translation>
+    </message>
+    <message>
+      <source>This is an archive of a whole project, not an export; restore it (ostraka catalogue restore), then merge the restored project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est l’archive d’un projet entier, pas une exportation ; restaurez-la (ostraka catalogue restore), puis fusionnez le projet restauré.</translation>
+    </message>
+    <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier ou le dossier ne peut pas être écrit (%1) ; choisissez un autre endroit, ou vérifiez ses droits d’accès.</translation>
@@ -7606,6 +7616,11 @@
       <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un fichier texte : il contient des données binaires, ce qu’aucun tableau n’a.</translation>
+    </message>
+    <message>
+      <source>This is a spreadsheet (ODS, XLSX), not a CSV table; save the sheet as 'CSV UTF-8' and import that file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est un classeur (ODS, XLSX), pas un tableau CSV ; enregistrez la feuille en 'CSV UTF-8' et importez ce fichier.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

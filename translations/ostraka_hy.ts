@@ -5793,6 +5793,16 @@
       <translation>Սա ամբողջ նախագծի արխիվ չէ. ներմուծեք այն որպես արտահանում։</translation>
     </message>
     <message>
+      <source>This is a project already, not an archive of one; open it as it is.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա արդեն նախագիծ է, ոչ թե արխիվ. բացեք այն այնպես, ինչպես կա։</translation>
+    </message>
+    <message>
+      <source>This is an archive of a whole project, not an export; restore it (ostraka catalogue restore), then merge the restored project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա ամբողջ նախագծի արխիվ է, ոչ թե արտահանում. վերականգնեք այն (ostraka catalogue restore), ապա միավորեք վերականգնված նախագիծը։</translation>
+    </message>
+    <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այստեղ հնարավոր չէ գրել (%1). ընտրեք այլ տեղ կամ ստուգեք թույլտվությունները։</translation>
@@ -7606,6 +7616,11 @@
       <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը տեքստ չէ. այն պարունակում է երկուական տվյալներ, որոնք ոչ մի աղյուսակում չեն լինում։</translation>
+    </message>
+    <message>
+      <source>This is a spreadsheet (ODS, XLSX), not a CSV table; save the sheet as 'CSV UTF-8' and import that file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա էլեկտրոնային աղյուսակ է (ODS, XLSX), ոչ թե CSV աղյուսակ. պահեք թերթը որպես 'CSV UTF-8' և ներմուծեք այդ ֆայլը։</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

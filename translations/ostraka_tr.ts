@@ -5745,6 +5745,16 @@
       <translation>Bu, bütün bir projenin arşivi değil; bunun yerine dışa aktarım olarak okuyun.</translation>
     </message>
     <message>
+      <source>This is a project already, not an archive of one; open it as it is.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu zaten bir proje, arşiv değil; olduğu gibi açın.</translation>
+    </message>
+    <message>
+      <source>This is an archive of a whole project, not an export; restore it (ostraka catalogue restore), then merge the restored project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu, bütün bir projenin arşivi, dışa aktarım değil; geri yükleyin (ostraka catalogue restore), sonra geri yüklenen projeyi birleştirin.</translation>
+    </message>
+    <message>
       <source>The file or folder cannot be written (%1); choose another location, or check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Buraya yazılamıyor (%1); başka bir yer seçin ya da izinlerini denetleyin.</translation>
@@ -7558,6 +7568,11 @@
       <source>Not a text file: it contains binary data, which a table never does.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya metin değil: hiçbir tabloda olmayan ikili veriler içeriyor.</translation>
+    </message>
+    <message>
+      <source>This is a spreadsheet (ODS, XLSX), not a CSV table; save the sheet as 'CSV UTF-8' and import that file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir hesap tablosu dosyası (ODS, XLSX), CSV tablosu değil; sayfayı 'CSV UTF-8' olarak kaydedip o dosyayı içe aktarın.</translation>
     </message>
     <message>
       <source>Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.</source>

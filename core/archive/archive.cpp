@@ -14,7 +14,9 @@
 #include "files/output_place.h"
 #include "store/database.h"
 #include "store/schema_check.h"
+#include "upkeep/archived_project.h"
 #include "upkeep/peoples_file_check.h"
+#include "upkeep/project.h"
 #include "upkeep/value_check.h"
 
 namespace ostraka::archive {
@@ -236,6 +238,10 @@ Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder,
     return Error::unusable(
         message("Restoring a project needs a new or empty folder; choose another name."),
         folder.string());
+  if (upkeep::Project::isProject(archive) && upkeep::archiveAt(archive).empty())
+    return Error::unusable(
+        message("This is a project already, not an archive of one; open it as it is."),
+        archive.string());
   progress.begin("checksums", 0.5);
   const Result<BagReader> bag = BagReader::open(archive, progress, stop);
   if (!bag) return bag.error();

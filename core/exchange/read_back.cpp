@@ -70,6 +70,11 @@ class ReadingBack {
         uuids_[store::uniqueKey(values.at("number"))] = values.at("uuid");
       records_.push_back(std::move(*read));
     }
+    if (records_.empty() && bag_.find("data/catalogue.sqlite"))
+      return Error::unusable(
+          message("This is an archive of a whole project, not an export; restore it (ostraka "
+                  "catalogue restore), then merge the restored project."),
+          folder_.string());
     if (records_.empty())
       return Error::unusable(
           message("This export contains no sherd records (JSON); export it again with them."),

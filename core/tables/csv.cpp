@@ -41,7 +41,17 @@ std::size_t marksBefore(std::string_view text) {
   return marks;
 }
 
+// OpenDocument and Excel files are ZIP files; those of before 2007 begin with a mark of their own.
+bool isSpreadsheet(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0");
+}
+
 Result<std::string> decoded(std::string_view bytes, const std::string& where) {
+  if (isSpreadsheet(bytes))
+    return Error::unusable(
+        message("This is a spreadsheet (ODS, XLSX), not a CSV table; save the sheet as 'CSV UTF-8' "
+                "and import that file."),
+        where);
   std::string text;
   if (bytes.starts_with("\xFF\xFE"))
     text = fromUtf16(bytes, false);

@@ -73,6 +73,9 @@ TEST_F(Archive, OnAnEmptyLaptopIsTheSameProject) {
   for (const records::FileRecord& file : valueIn(Files(catalogue()).all()))
     EXPECT_EQ(sha256(*readFile(laptop->folder() / file.path)), file.sha256) << file.path;
   EXPECT_FALSE(restore()) << "never over a project";
+  const Result<Restored> project = restoreProject(at("laptop"), at("again"), quiet, {});
+  ASSERT_FALSE(project);
+  EXPECT_NE(project.error().what.english().find("a project already"), std::string::npos);
   EXPECT_FALSE(archiveProject(*project_, {project_->folder() / "inside"}, quiet, {}));
 }
 

@@ -57,10 +57,10 @@ using records::NumberCount;
 // Those of a count that were ever given, to whichever sherd.
 std::set<std::int64_t> givenIn(store::Database& database, const NumberCount& count) {
   std::set<std::int64_t> all;
-  store::Statement rows = database.sql(
-      "SELECT number FROM given_number WHERE replace(number_key, ' ', '') >= ?1 AND "
-      "replace(number_key, ' ', '') < ?1 || char(1114111)",
-      count.before());
+  const std::string key = "replace(replace(number_key, ' ', ''), char(160), '')";  // indexed
+  store::Statement rows = database.sql("SELECT number FROM given_number WHERE " + key +
+                                           " >= ?1 AND " + key + " < ?1 || char(1114111)",
+                                       count.before());
   for (std::string number; rows.read(number);)
     if (const auto n = count.of(number)) all.insert(*n);
   return all;

@@ -97,6 +97,7 @@ TEST_F(NumbersTest, CountByThePlaceWhateverItsSpelling) {
   EXPECT_EQ(gaps[17], 19);
   for (const auto& [place, typed, next] :
        {std::tuple("K 12", "ARM1-T3-k12-7", "ARM1-T3-K 12-0008"),
+        std::tuple("K\u00A014", "ARM1-T3-K\u00A014-7", "ARM1-T3-K\u00A014-0008"),
         std::tuple("Ü13", "arm1-t3-ü 13-0041", "ARM1-T3-Ü13-0042")}) {
     const store::ContextRow other = context(place);
     ASSERT_TRUE(set(draft(other), "number", typed));

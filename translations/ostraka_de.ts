@@ -10627,6 +10627,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Tabellenkalkulation hat diese Nummern möglicherweise verkürzt oder in Daten umgewandelt: %1; mit den Etiketten vergleichen und berichtigen.</translation>
     </message>
+    <message>
+      <source>This file differs from what &apos;ostraka process&apos; wrote; run it again, which writes the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei ist nicht mehr so, wie 'ostraka process' sie geschrieben hat; es noch einmal laufen lassen, dann wird sie neu geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

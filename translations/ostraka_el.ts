@@ -10627,6 +10627,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα λογιστικό φύλλο ίσως συντόμευσε αυτούς τους αριθμούς ή τους μετέτρεψε σε ημερομηνίες: %1· συγκρίνετέ τους με τις ετικέτες και διορθώστε τους.</translation>
     </message>
+    <message>
+      <source>This file differs from what &apos;ostraka process&apos; wrote; run it again, which writes the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο διαφέρει από αυτό που έγραψε το 'ostraka process'· εκτελέστε το ξανά και θα γραφτεί εκ νέου.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

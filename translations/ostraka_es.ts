@@ -10627,6 +10627,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es posible que una hoja de cálculo haya abreviado estos números o los haya convertido en fechas: %1; compárelos con las etiquetas y corríjalos.</translation>
     </message>
+    <message>
+      <source>This file differs from what &apos;ostraka process&apos; wrote; run it again, which writes the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo difiere de lo que escribió 'ostraka process'; ejecútelo otra vez y se escribirá de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

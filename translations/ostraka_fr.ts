@@ -10627,6 +10627,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un tableur a peut-être abrégé ces numéros ou les a changés en dates : %1 ; comparez-les avec les étiquettes et corrigez-les.</translation>
     </message>
+    <message>
+      <source>This file differs from what &apos;ostraka process&apos; wrote; run it again, which writes the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier diffère de ce que 'ostraka process' a écrit ; relancez-le, il sera réécrit.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10627,6 +10627,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Աղյուսակային ծրագիրը հնարավոր է կրճատել է այս համարները կամ դարձրել ամսաթվեր՝ %1. համեմատեք դրանք պիտակների հետ և ուղղեք։</translation>
     </message>
+    <message>
+      <source>This file differs from what &apos;ostraka process&apos; wrote; run it again, which writes the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլը տարբերվում է նրանից, ինչ գրել է 'ostraka process'-ը. նորից գործարկեք, և ֆայլը կգրվի նորից։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

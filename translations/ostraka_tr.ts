@@ -10579,6 +10579,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir hesap tablosu bu numaraları kısaltmış ya da tarihe çevirmiş olabilir: %1; etiketlerle karşılaştırın ve düzeltin.</translation>
     </message>
+    <message>
+      <source>This file differs from what &apos;ostraka process&apos; wrote; run it again, which writes the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosya, 'ostraka process' komutunun yazdığından farklı; komutu yeniden çalıştırın, dosya yeniden yazılır.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

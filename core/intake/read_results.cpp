@@ -16,6 +16,7 @@
 #include "files/open_folder.h"
 #include "sherds/kept_models.h"
 #include "sherds/sherd_columns.h"
+#include "stages/output_folder.h"
 #include "store/values.h"
 
 namespace ostraka::intake {
@@ -76,7 +77,7 @@ class Reading {
     try {
       // Two scans and three files of the model a pair, and the reports: about that many files.
       total_ = 5 * static_cast<std::int64_t>(pairs.at("pairs").size()) + 3;
-      note(out_, report);
+      reports();
       pairsOf(pairs);
       scansOf("front");
       scansOf("back");
@@ -101,8 +102,6 @@ class Reading {
       store::refuse(message("These results of 'ostraka process' are incomplete; run it again."),
                     out_.string());
     }
-    for (const char* name : {"report.json", "report.html", "pairs.json"})
-      file(out_ / name, "report", {}, {});
     return std::move(results_);
   }
 
@@ -231,6 +230,17 @@ class Reading {
     results_.sherds.push_back(std::move(sherd));
   }
 
+  // Before anything in them counts.
+  void reports() {
+    const fs::path record = out_ / stages::kReportsRecord;
+    opened(record);
+    note(out_, store::valueOrThrow(readJson(record)));
+    for (const char* name : {"report.json", "report.html", "pairs.json"}) {
+      if (!noted_.contains(out_ / name)) refuseIncomplete(record);
+      file(out_ / name, "report", {}, {});
+    }
+  }
+
   // What made the files of a folder noted of them.
   void note(const fs::path& folder, const json& made) {
     const json files = made.value("files", json::object());
@@ -292,7 +302,10 @@ class Reading {
     OpenFile open = opened(path);
     const Checksum sum = store::valueOrThrow(checksumOf(open, stop_));
     const auto noted = noted_.find(path);
-    if (noted != noted_.end() && noted->second != sum.sha256) refuseIncomplete(path);
+    if (noted != noted_.end() && noted->second != sum.sha256)
+      store::refuse(message("This file differs from what 'ostraka process' wrote; run it again, "
+                            "which writes the file anew."),
+                    path.string());
     ReadFile read;
     read.record.path = relativeTo(project_, path);
     read.record.sha256 = sum.sha256;

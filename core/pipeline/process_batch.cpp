@@ -21,7 +21,6 @@
 #include "decisions/candidate_table.h"
 #include "decisions/scan_folder.h"
 #include "files/files.h"
-#include "files/json.h"
 #include "pairing/common_scale.h"
 #include "pipeline/preflight.h"
 #include "pipeline/proposed_sheet.h"
@@ -259,19 +258,6 @@ Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
   return {};
 }
 
-// What stands on top of OUT; report.json comes last, so that where it is all else is too, and notes
-// what the others hold.
-Result<void> writeReports(const fs::path& output, const Pairs& pairs, const ReportInput& report) {
-  if (Result<void> r = writeJson(output / "pairs.json", pairs.json); !r) return r;
-  const std::string html = reportHtml(report);
-  if (Result<void> r = writeFileAtomically(output / "report.html", html); !r) return r;
-  const Result<std::string> table = readFile(output / "pairs.json");
-  if (!table) return table.error();
-  ordered_json json = reportJson(report);
-  json["files"] = {{"pairs.json", sha256(*table)}, {"report.html", sha256(html)}};
-  return writeJson(output / "report.json", json);
-}
-
 // Expected parts of the whole job's time.
 struct Shares {
   double pairs = 0.03, models = 0.05;
@@ -332,7 +318,10 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
       }
 
   run.progress.begin("report", 0.02);
-  if (const auto r = writeReports(run.options.output, pairs->value, report); !r) return r.error();
+  if (const auto r = stages::publishReports(run.options.output, pairs->value.json,
+                                            reportHtml(report), reportJson(report));
+      !r)
+    return r.error();
   summary.unpaired_front = report.unpaired_front;
   summary.unpaired_back = report.unpaired_back;
   summary.set_aside = report.set_aside;

@@ -155,7 +155,7 @@ bool isUnpairedScan(const std::string& name) {
 
 void withdrawResults(const fs::path& output) {
   std::error_code ignored;
-  for (const char* name : {"report.json", "report.html", "pairs.json"})
+  for (const char* name : {"report.json", "report.html", "pairs.json", kReportsRecord})
     fs::remove(output / name, ignored);
   std::vector<fs::path> scans;  // people may have put other files beside them
   for (const fs::directory_entry& entry : fs::directory_iterator(output / "unpaired", ignored)) {

@@ -33,6 +33,10 @@ void leaveGoneOutput(const std::filesystem::path& output);
 /// Whether a run writes a file of this name into OUT/unpaired: f001.ply, b012.ply.
 bool isUnpairedScan(const std::string& name);
 
+/// In OUT: `files` names the SHA-256 of pairs.json, report.html and report.json, as a run left
+/// them.
+inline constexpr const char* kReportsRecord = "work/reports.json";
+
 /// What an earlier run left on top must not look whole while this one may change it.
 void withdrawResults(const std::filesystem::path& output);
 

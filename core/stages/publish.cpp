@@ -48,6 +48,7 @@ constexpr std::string_view kFilesOfOut[] = {
     "pairs.json",
     "log.txt",
     "plate.json",  // of a sheet that was found in the photographs
+    kReportsRecord,
     "work/batch.json",
     "work/scans.json",
     "work/lock",
@@ -102,6 +103,18 @@ Result<void> publish(const FolderLock& held, const std::string& number, bool has
   if (held.stands()) return {};
   removeSherd(to);
   return outputGone(output);
+}
+
+Result<void> publishReports(const fs::path& output, const nlohmann::ordered_json& pairs,
+                            const std::string& html, const nlohmann::ordered_json& report) {
+  const std::string table = jsonText(pairs), figures = jsonText(report);
+  const nlohmann::ordered_json hashes = {{"pairs.json", sha256(table)},
+                                         {"report.html", sha256(html)},
+                                         {"report.json", sha256(figures)}};
+  if (Result<void> r = writeFileAtomically(output / "pairs.json", table); !r) return r;
+  if (Result<void> r = writeFileAtomically(output / "report.html", html); !r) return r;
+  if (Result<void> r = writeJson(output / kReportsRecord, {{"files", hashes}}); !r) return r;
+  return writeFileAtomically(output / "report.json", figures);
 }
 
 std::vector<std::string> filesOfOthers(const fs::path& output) {

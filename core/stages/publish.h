@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@ Result<void> publish(const FolderLock& held, const std::string& number, bool has
 
 /// Takes away what an earlier run left in OUT/sherds of others than these.
 void removeStaleSherds(const std::filesystem::path& output, const std::set<std::string>& numbers);
+
+/// Writes what stands on top of OUT. report.json comes last, so that where it is all else is too:
+/// before it kReportsRecord, by which a reader sees whether one of the three was changed since.
+Result<void> publishReports(const std::filesystem::path& output,
+                            const nlohmann::ordered_json& pairs, const std::string& html,
+                            const nlohmann::ordered_json& report);
 
 /// Files below OUT that no run writes, by their paths in it, in order: of a stage those that its
 /// stage.json does not name. What people decided and painted there is theirs and none of these.

@@ -30,7 +30,8 @@ class KilledProcess : public KilledComputations {
 };
 
 TEST_F(KilledProcess, TwoRunsDifferOnlyWhereTheyTellTheTime) {
-  const std::set<std::string> tell{"log.txt", "report.html", "report.json", "stage.json"};
+  const std::set<std::string> tell{"log.txt", "report.html", "report.json", "reports.json",
+                                   "stage.json"};
   const Digests whole = undisturbed().whole();
   EXPECT_TRUE(whole.contains("sherds/02/model.ply"));
   for (const auto& [name, digest] : whole)

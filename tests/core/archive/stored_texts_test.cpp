@@ -78,6 +78,7 @@ TEST_F(StoredTexts, OfResultsAreRefusedOrRestored) {
   const fs::path results = project_->resultsFolder("B0001");
   const json pairs = *readJson(results / "pairs.json"), report = *readJson(results / "report.json");
   const auto enters = [&] {
+    catalogue::ResultFolder::noteReports(results);
     return intake::enterResults(catalogue(), project_->folder(), batch, results, {}, quiet, {})
         .has_value();
   };

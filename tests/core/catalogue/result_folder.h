@@ -113,6 +113,15 @@ class ResultFolder {
              {"sherds", sherds}})
             .dump());
     put(out_ / "report.html", "<html></html>");
+    noteReports(out_);
+  }
+
+  /// A run wrote the reports as they lie there now.
+  static void noteReports(const std::filesystem::path& out) {
+    nlohmann::ordered_json files;
+    for (const char* name : {"report.json", "report.html", "pairs.json"})
+      files[name] = sha256(*readFile(out / name));
+    put(out / "work/reports.json", nlohmann::ordered_json({{"files", files}}).dump());
   }
 
   /// The stages that made this sherd's model and its texture left them as they lie there now.

@@ -82,6 +82,7 @@ TEST_F(DamagedResults, AreNotEnteredWithAMeasurementThatNoSherdHas) {
     nlohmann::json changed = whole;
     changed["sherds"][0]["figures"]["measures"]["length_mm"] = length_mm;
     ASSERT_TRUE(writeFileAtomically(file, changed.dump()));
+    catalogue::ResultFolder::noteReports(file.parent_path());
     const auto entered = enterResults(catalogue(), project_->folder(), batch,
                                       project_->resultsFolder("B0001"), {}, quiet, {});
     ASSERT_FALSE(entered) << length_mm;
@@ -90,28 +91,41 @@ TEST_F(DamagedResults, AreNotEnteredWithAMeasurementThatNoSherdHas) {
   EXPECT_TRUE(sherds().empty());
 }
 
-// As `process` notes them: of scans in the record of their stage, of the others in report.json.
-TEST_F(DamagedResults, AreNotEnteredWhereAScanOrAReportHasAnotherBit) {
+// As `process` notes them: of scans in the record of their stage, of the reports in their own.
+TEST_F(DamagedResults, AreNotEnteredWhereAScanOrAReportIsNotAsItWasWritten) {
   const fs::path results = project_->resultsFolder("B0001");
-  const auto hashOf = [&](const std::string& name) { return sha256(*readFile(results / name)); };
-  nlohmann::ordered_json report = *readJson(results / "report.json"), stage;
-  for (const char* name : {"pairs.json", "report.html"}) report["files"][name] = hashOf(name);
+  nlohmann::ordered_json stage;
   for (const char* name : {"f001.ply", "f002.ply", "f003.ply"})
-    stage["files"][name] = hashOf("work/scans_front/" + std::string(name));
-  ASSERT_TRUE(writeJson(results / "report.json", report));
+    stage["files"][name] = sha256(*readFile(results / "work/scans_front" / name));
   ASSERT_TRUE(writeJson(results / "work/scans_front/stage.json", stage));
+  const auto refusal = [&] {
+    const auto entered =
+        enterResults(catalogue(), project_->folder(), batch, results, {}, quiet, {});
+    return entered ? Error::unusable("entered") : entered.error();
+  };
   for (const char* name : {"pairs.json", "report.html", "work/scans_front/f002.ply"}) {
     const std::string whole = *readFile(results / name);
     std::string flipped = whole;
     flipped[flipped.find_last_of("0123456789>")] ^= 1;
     ASSERT_TRUE(writeFileAtomically(results / name, flipped));
-    const auto entered =
-        enterResults(catalogue(), project_->folder(), batch, results, {}, quiet, {});
-    ASSERT_FALSE(entered) << name;
-    EXPECT_EQ(entered.error().where, (results / name).string());
+    EXPECT_EQ(refusal().where, (results / name).string());
     ASSERT_TRUE(writeFileAtomically(results / name, whole));
   }
+  const std::string report = *readFile(results / "report.json");
+  nlohmann::ordered_json edited = *readJson(results / "report.json");
+  edited["sherds"][0]["figures"]["measures"]["volume_mm3"] = 123456;
+  ASSERT_TRUE(writeJson(results / "report.json", edited));
+  EXPECT_EQ(refusal().where, (results / "report.json").string());
+  EXPECT_THAT(refusal().what.english(), testing::HasSubstr("differs from what 'ostraka process'"));
+  ASSERT_TRUE(writeFileAtomically(results / "report.json", report));
+  for (const char* record : {"{}", "[]", R"({"files": {}})"}) {
+    ASSERT_TRUE(writeFileAtomically(results / "work/reports.json", record));
+    EXPECT_THAT(refusal().what.english(), testing::HasSubstr("incomplete")) << record;
+  }
+  fs::remove(results / "work/reports.json");
+  EXPECT_EQ(refusal().where, (results / "work/reports.json").string());
   EXPECT_TRUE(sherds().empty());
+  out.write();
   EXPECT_EQ(enter().models, 3);
 }
 
@@ -129,10 +143,12 @@ TEST_F(DamagedResults, AreNotEnteredWithTextsThatTheCatalogueCannotStore) {
     ordered_json pairs = *readJson(results / "pairs.json");
     pairs["pairs"][1]["reason"] = text;
     ASSERT_TRUE(writeJson(results / "pairs.json", pairs));
+    catalogue::ResultFolder::noteReports(results);
     EXPECT_EQ(refusedFile(), "pairs.json") << text.size();
     ordered_json report = *readJson(results / "report.json");
     report["scale_doubts"] = ordered_json::array({text});
     ASSERT_TRUE(writeJson(results / "report.json", report));
+    catalogue::ResultFolder::noteReports(results);
     EXPECT_EQ(refusedFile(), "report.json") << text.size();
     const ordered_json scan = {{"side", "front"}, {"id", "f001"}, {"place_mm", {40, 0}}};
     const ordered_json decision = {{"id", "0190a0b0-0000-7000-8000-000000000007"},

@@ -44,8 +44,9 @@ TEST_F(ProcessBatch, TurnsPhotographsIntoWholeSherdsWithTheirReports) {
   const Result<nlohmann::json> report = readJson(folder_ / "out" / "report.json");
   ASSERT_TRUE(report.has_value());
   EXPECT_EQ(report->at("sherds").size(), 2u);
-  for (const char* name : {"pairs.json", "report.html"})
-    EXPECT_EQ(report->at("files").at(name), sha256(*readFile(folder_ / "out" / name))) << name;
+  const nlohmann::json record = *readJson(folder_ / "out" / "work" / "reports.json");
+  for (const char* name : {"pairs.json", "report.html", "report.json"})
+    EXPECT_EQ(record.at("files").at(name), sha256(*readFile(folder_ / "out" / name))) << name;
   // Sherds of the virtual rig have walls of 3 to 10 mm.
   for (const nlohmann::json& sherd : report->at("sherds")) {
     const double wall = sherd.at("figures").at("measures").at("thickness_mean_mm").get<double>();

@@ -55,6 +55,7 @@ class LostModels : public catalogue::SmallProject {
     nlohmann::json report = catalogue::valueIn(readJson(output / "report.json"));
     report["decisions"] = decisions;
     ASSERT_TRUE(writeFileAtomically(output / "report.json", report.dump()));
+    catalogue::ResultFolder::noteReports(output);
   }
   decisions::PairDecision taken(DecisionKind kind, std::vector<decisions::ScanRef> scans,
                                 std::vector<std::string> replaces = {}) {

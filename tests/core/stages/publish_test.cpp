@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "files/files.h"
+#include "files/json.h"
+#include "stages/output_folder.h"
 
 namespace ostraka::stages {
 namespace {
@@ -32,9 +35,9 @@ TEST(Publish, TellsFilesThatNoRunWritesFromThoseOfARun) {
   const fs::path out = ::mkdtemp(pattern.data());
   ASSERT_TRUE(writeFileAtomically(out / "work/rig/stage.json",
                                   R"({"stage": "rig", "files": {"rig.json": "", "a/b.txt": ""}})"));
-  for (const char* name :
-       {"report.json", "log.txt", "plate.json", "decisions.json", "unpaired/f001.ply",
-        "sherds/01/model.ply", "work/batch.json", "work/rig/rig.json", "work/rig/a/b.txt"})
+  for (const char* name : {"report.json", "log.txt", "plate.json", "decisions.json",
+                           "unpaired/f001.ply", "sherds/01/model.ply", "work/batch.json",
+                           "work/reports.json", "work/rig/rig.json", "work/rig/a/b.txt"})
     ASSERT_TRUE(writeFileAtomically(out / name, "x")) << name;
   EXPECT_EQ(filesOfOthers(out), std::vector<std::string>());
   std::vector<std::string> others = {"a.desktop",        "sherds/01/x.txt", "sherds/anna/model.ply",
@@ -45,6 +48,22 @@ TEST(Publish, TellsFilesThatNoRunWritesFromThoseOfARun) {
   others.push_back("pairs.json");
   std::sort(others.begin(), others.end());
   EXPECT_EQ(filesOfOthers(out), others);
+  fs::remove_all(out);
+}
+
+// An edited figure would be taken for the program's.
+TEST(Publish, NotesWhatTheReportsHoldAndWithdrawsThatWithThem) {
+  std::string pattern = (fs::temp_directory_path() / "ostraka_publish_XXXXXX").string();
+  const fs::path out = ::mkdtemp(pattern.data());
+  ASSERT_TRUE(publishReports(out, {{"pairs", {1}}}, "<html></html>", {{"sherds", {2}}}));
+  EXPECT_EQ(*readJson(out / "report.json"), nlohmann::json({{"sherds", {2}}}));
+  const nlohmann::json hashes = readJson(out / kReportsRecord)->at("files");
+  ASSERT_EQ(hashes.size(), 3u);
+  for (const auto& [name, hash] : hashes.items())
+    EXPECT_EQ(hash, sha256(*readFile(out / name))) << name;
+  EXPECT_EQ(filesOfOthers(out), std::vector<std::string>());
+  withdrawResults(out);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out / "work"), fs::directory_iterator()), 0);
   fs::remove_all(out);
 }
 

@@ -10632,6 +10632,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei ist nicht mehr so, wie 'ostraka process' sie geschrieben hat; es noch einmal laufen lassen, dann wird sie neu geschrieben.</translation>
     </message>
+    <message>
+      <source>The name of the file %1 is not UTF-8, and results could not tell it from others; rename it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Name der Datei %1 ist kein UTF-8, und Ergebnisse könnten sie nicht von anderen unterscheiden; die Datei umbenennen, dann noch einmal versuchen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

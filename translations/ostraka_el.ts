@@ -10632,6 +10632,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το αρχείο διαφέρει από αυτό που έγραψε το 'ostraka process'· εκτελέστε το ξανά και θα γραφτεί εκ νέου.</translation>
     </message>
+    <message>
+      <source>The name of the file %1 is not UTF-8, and results could not tell it from others; rename it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όνομα του αρχείου %1 δεν είναι σε UTF-8 και τα αποτελέσματα δεν θα μπορούσαν να το ξεχωρίσουν από άλλα· μετονομάστε το και δοκιμάστε ξανά.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10632,6 +10632,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo difiere de lo que escribió 'ostraka process'; ejecútelo otra vez y se escribirá de nuevo.</translation>
     </message>
+    <message>
+      <source>The name of the file %1 is not UTF-8, and results could not tell it from others; rename it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El nombre del archivo %1 no está en UTF-8 y los resultados no podrían distinguirlo de otros; cámbiele el nombre y vuelva a intentarlo.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10632,6 +10632,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier diffère de ce que 'ostraka process' a écrit ; relancez-le, il sera réécrit.</translation>
     </message>
+    <message>
+      <source>The name of the file %1 is not UTF-8, and results could not tell it from others; rename it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nom du fichier %1 n’est pas en UTF-8, et les résultats ne pourraient pas le distinguer d’autres fichiers ; renommez-le, puis réessayez.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

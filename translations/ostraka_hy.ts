@@ -10632,6 +10632,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլը տարբերվում է նրանից, ինչ գրել է 'ostraka process'-ը. նորից գործարկեք, և ֆայլը կգրվի նորից։</translation>
     </message>
+    <message>
+      <source>The name of the file %1 is not UTF-8, and results could not tell it from others; rename it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ֆայլի անունը UTF-8 չէ, և արդյունքները չէին կարող այն տարբերել մյուսներից. վերանվանեք ֆայլը և նորից փորձեք։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

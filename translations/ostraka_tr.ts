@@ -10584,6 +10584,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya, 'ostraka process' komutunun yazdığından farklı; komutu yeniden çalıştırın, dosya yeniden yazılır.</translation>
     </message>
+    <message>
+      <source>The name of the file %1 is not UTF-8, and results could not tell it from others; rename it, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 dosyasının adı UTF-8 değil ve sonuçlar onu başkalarından ayıramaz; dosyayı yeniden adlandırıp bir daha deneyin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

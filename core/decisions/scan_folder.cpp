@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "base/median.h"
@@ -25,6 +26,21 @@ bool isPly(const fs::path& file) {
          !file.filename().string().starts_with('.');
 }
 
+// Bytes that are of no character as \xFF.
+std::string spelled(std::string_view name) {
+  constexpr std::size_t kMostBytes = 4;  // of a character
+  std::string text;
+  for (std::size_t at = 0; at < name.size();) {
+    std::size_t bytes = 1;
+    while (bytes <= kMostBytes && !isUtf8(name.substr(at, bytes))) ++bytes;
+    const bool is_character = bytes <= kMostBytes;
+    text += is_character ? std::string(name.substr(at, bytes))
+                         : formatted("\\x%02X", static_cast<unsigned char>(name[at]));
+    at += is_character ? bytes : 1;
+  }
+  return text;
+}
+
 /// The *.ply of a folder in the order of their names.
 Result<std::vector<fs::path>> plyFiles(const fs::path& folder) {
   std::error_code failed;
@@ -42,6 +58,15 @@ Result<std::vector<fs::path>> plyFiles(const fs::path& folder) {
         folder.string());
   }
   std::sort(files.begin(), files.end());
+  // Results name scans by their files, in JSON: two such names would become one.
+  for (const fs::path& file : files)
+    if (const std::string name = file.filename().string(); !isUtf8(name))
+      return Error::unusable(
+          message(
+              "The name of the file %1 is not UTF-8, and results could not tell it from others; "
+              "rename it, then try again.",
+              spelled(name)),
+          folder.string());
   return files;
 }
 

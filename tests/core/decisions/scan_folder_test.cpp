@@ -50,6 +50,23 @@ TEST_F(ScanFolders, GiveAWholeScanAsItIs) {
   EXPECT_TRUE(side.warnings.empty());
 }
 
+// In results both would be "s?": nobody could say which sherd is which.
+TEST_F(ScanFolders, AreRefusedWhereANameIsNoText) {
+  for (const char* name : {"s\xFF.ply", "s\xC3\xA9\xFE\xE2\x82.ply"}) {
+    write(std::string("front/") + name, disc());
+    const Result<ScanFolder> refused = readScanFolder(folder / "front", 1);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().where, (folder / "front").string());
+    const bool first = name[1] == '\xFF';
+    EXPECT_THAT(
+        refused.error().what.english(),
+        HasSubstr(first ? "file s\\xFF.ply is not" : "file s\u00E9\\xFE\\xE2\\x82.ply is not"));
+    fs::remove(folder / "front" / name);
+  }
+  write("front/s\u00E9.ply", disc());
+  EXPECT_EQ(read("front").scans.at(0).id, "s\u00E9");
+}
+
 // Ten metres away, or where the scanner puts what it did not see: one point would turn the scan.
 TEST_F(ScanFolders, LeaveOutPointsThatAreNoMeasurementAndSaySo) {
   PointCloud flying = disc(), unseen = disc();

@@ -10637,6 +10637,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Name der Datei %1 ist kein UTF-8, und Ergebnisse könnten sie nicht von anderen unterscheiden; die Datei umbenennen, dann noch einmal versuchen.</translation>
     </message>
+    <message>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Brauchbare Fotos der Vorderseite: %1; mindestens %2 sind nötig. Ausgelassene Fotos: %3; das erste: %4</translation>
+    </message>
+    <message>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Brauchbare Fotos der Rückseite: %1; mindestens %2 sind nötig. Ausgelassene Fotos: %3; das erste: %4</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

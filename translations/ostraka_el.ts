@@ -10637,6 +10637,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όνομα του αρχείου %1 δεν είναι σε UTF-8 και τα αποτελέσματα δεν θα μπορούσαν να το ξεχωρίσουν από άλλα· μετονομάστε το και δοκιμάστε ξανά.</translation>
     </message>
+    <message>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χρησιμοποιήσιμες φωτογραφίες της μπροστινής όψης: %1· χρειάζονται τουλάχιστον %2. Φωτογραφίες που παραλείφθηκαν: %3· η πρώτη: %4</translation>
+    </message>
+    <message>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χρησιμοποιήσιμες φωτογραφίες της πίσω όψης: %1· χρειάζονται τουλάχιστον %2. Φωτογραφίες που παραλείφθηκαν: %3· η πρώτη: %4</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10637,6 +10637,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El nombre del archivo %1 no está en UTF-8 y los resultados no podrían distinguirlo de otros; cámbiele el nombre y vuelva a intentarlo.</translation>
     </message>
+    <message>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografías utilizables del anverso: %1; hacen falta al menos %2. Fotografías omitidas: %3; la primera: %4</translation>
+    </message>
+    <message>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotografías utilizables del reverso: %1; hacen falta al menos %2. Fotografías omitidas: %3; la primera: %4</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

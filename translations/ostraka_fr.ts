@@ -10637,6 +10637,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le nom du fichier %1 n’est pas en UTF-8, et les résultats ne pourraient pas le distinguer d’autres fichiers ; renommez-le, puis réessayez.</translation>
     </message>
+    <message>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photos utilisables de la face avant : %1 ; il en faut au moins %2. Photos laissées de côté : %3 ; la première : %4</translation>
+    </message>
+    <message>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photos utilisables de la face arrière : %1 ; il en faut au moins %2. Photos laissées de côté : %3 ; la première : %4</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10637,6 +10637,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ֆայլի անունը UTF-8 չէ, և արդյունքները չէին կարող այն տարբերել մյուսներից. վերանվանեք ֆայլը և նորից փորձեք։</translation>
     </message>
+    <message>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսի պիտանի լուսանկարներ՝ %1. անհրաժեշտ է առնվազն %2։ Բաց թողնված լուսանկարներ՝ %3. առաջինը՝ %4</translation>
+    </message>
+    <message>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսի պիտանի լուսանկարներ՝ %1. անհրաժեշտ է առնվազն %2։ Բաց թողնված լուսանկարներ՝ %3. առաջինը՝ %4</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10589,6 +10589,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 dosyasının adı UTF-8 değil ve sonuçlar onu başkalarından ayıramaz; dosyayı yeniden adlandırıp bir daha deneyin.</translation>
     </message>
+    <message>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzün kullanılabilir fotoğrafları: %1; en az %2 gerekli. Atlanan fotoğraflar: %3; ilki: %4</translation>
+    </message>
+    <message>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Photographs left out: %3; the first: %4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzün kullanılabilir fotoğrafları: %1; en az %2 gerekli. Atlanan fotoğraflar: %3; ilki: %4</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

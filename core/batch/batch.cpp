@@ -113,6 +113,11 @@ class Reader {
     progress_.note(NoteLevel::Warning, about(file, what));
   }
 
+  void leaveOut(LeftOut& left_out, const fs::path& file, const Message& why) {
+    left_out.add(about(file, why));
+    warn(file, why);
+  }
+
   static bool isRigName(const Layout& layout, const fs::path& file) {
     int camera = 0, stop = 0;
     return camNumbers(file, layout.between, layout.first_camera, camera, stop) &&
@@ -137,9 +142,10 @@ class Reader {
       FreeSide free{side, photographsIn(folder), folder, batch_.folder / layout.masks[s]};
       std::erase_if(free.files, [&](const fs::path& file) {
         if (!isRigName(layout, file)) return false;
-        warn(file, message("This file name follows the naming of rig photographs, but most others "
-                           "do not; this "
-                           "photograph is left out."));
+        leaveOut(free.left_out, file,
+                 message("This file name follows the naming of rig photographs, but most others "
+                         "do not; this "
+                         "photograph is left out."));
         return true;
       });
       Result<std::vector<Shot>> shots = freeCameraShots(free, options_, progress_);
@@ -187,24 +193,28 @@ class Reader {
   void collectShots(const Layout& layout, Side side) {
     const int s = side == Side::Front ? 0 : 1;
     const GivenMasks masks(batch_.folder / layout.masks[s]);
+    LeftOut& left_out = left_out_[side];
     for (const fs::path& file : imagesIn(batch_.folder / layout.folder[s])) {
       Shot shot;
       shot.side = side;
       shot.file = file;
       if (!camNumbers(file, layout.between, layout.first_camera, shot.camera, shot.stop) ||
           shot.camera < layout.first_camera) {
-        warn(file, message("The file name does not match the form %1; this photograph is left out.",
-                           layout.pattern));
+        leaveOut(left_out, file,
+                 message("The file name does not match the form %1; this photograph is left out.",
+                         layout.pattern));
         continue;
       }
       shot.camera -= layout.first_camera;
       if (!named_.insert({side, shot.camera, shot.stop}).second) {
-        warn(file,
-             message("Another photograph has the same camera and position; this one is left out."));
+        leaveOut(
+            left_out, file,
+            message("Another photograph has the same camera and position; this one is left out."));
         continue;
       }
       const Result<ImageSize> size = readImageSize(file);
       if (!size) {
+        left_out.add(size.error().sentence());
         progress_.note(NoteLevel::Warning,
                        inOne(size.error().sentence(), message("This photograph is left out.")));
         continue;
@@ -288,18 +298,22 @@ class Reader {
     std::erase_if(batch_.shots, [&](const Shot& shot) {
       const ImageSize size{shot.width, shot.height}, expected = usual.at(shot.camera);
       if (size == expected) return false;
-      warn(shot.file,
-           message("The image has %1 x %2 pixels, but the photographs from its camera have "
-                   "%3 x %4; this picture is left out.",
-                   size.width, size.height, expected.width, expected.height));
+      leaveOut(left_out_[shot.side], shot.file,
+               message("The image has %1 x %2 pixels, but the photographs from its camera have "
+                       "%3 x %4; this picture is left out.",
+                       size.width, size.height, expected.width, expected.height));
       return true;
     });
   }
 
-  Result<void> checkViews(const Layout& layout, Side side) const {
+  Result<void> checkViews(const Layout& layout, Side side) {
     const auto views =
         std::ranges::count_if(batch_.shots, [&](const Shot& shot) { return shot.side == side; });
     if (views >= options_.min_views_per_side) return {};
+    const fs::path folder = batch_.folder / layout.folder[side == Side::Front ? 0 : 1];
+    const LeftOut& left_out = left_out_[side];
+    if (views + left_out.photographs > 0)  // names are right, or the reason says that they are not
+      return tooFewOf(side, views, options_.min_views_per_side, folder, left_out);
     return Error{ErrorCode::NotEnough,
                  message(side == Side::Front
                              ? translatable<3>("Usable photographs of the front side: %1; at least "
@@ -307,7 +321,7 @@ class Reader {
                              : translatable<3>("Usable photographs of the back side: %1; at least "
                                                "%2 are needed. Add photographs named %3."),
                          views, options_.min_views_per_side, layout.pattern),
-                 (batch_.folder / layout.folder[side == Side::Front ? 0 : 1]).string()};
+                 folder.string()};
   }
 
   void collectCalibration() {
@@ -344,6 +358,7 @@ class Reader {
   ReadBatchOptions options_;
   Progress& progress_;
   std::set<Key> named_;  // photographs by their names, usable or not; cameras from 0
+  std::map<Side, LeftOut> left_out_;
   Batch batch_;
 };
 

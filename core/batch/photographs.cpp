@@ -78,7 +78,8 @@ void warn(Progress& progress, const fs::path& where, const Message& what) {
   progress.note(NoteLevel::Warning, about(where, what));
 }
 
-std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options,
+// Adds those that are not to left_out.
+std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options, LeftOut& left_out,
                            Progress& progress) {
   std::vector<Shot> shots;
   std::set<std::string> stems;
@@ -86,6 +87,7 @@ std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options
   for (const fs::path& file : side.files) {
     const Result<ImageSize> size = readImageSize(file);
     if (!size) {
+      left_out.add(size.error().sentence());
       progress.note(NoteLevel::Warning,
                     inOne(size.error().sentence(), message("This photograph is left out.")));
       continue;
@@ -96,7 +98,9 @@ std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options
     }
     // Results carry the stem, and a camera may write a picture in two formats.
     if (!stems.insert(stemOf(file)).second) {
-      warn(progress, file, message("Another photograph has the same name; this one is left out."));
+      const Message why = message("Another photograph has the same name; this one is left out.");
+      left_out.add(about(file, why));
+      warn(progress, file, why);
       continue;
     }
     Shot shot;
@@ -106,8 +110,10 @@ std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options
     shot.height = size->height;
     shots.push_back(std::move(shot));
   }
-  if (!small.empty())
-    warn(progress, side.folder, leftOutAsSmall(small, options.least_free_megapixels));
+  if (small.empty()) return shots;
+  const Message why = leftOutAsSmall(small, options.least_free_megapixels);
+  for (std::size_t i = 0; i < small.size(); ++i) left_out.add(why);
+  warn(progress, side.folder, why);
   return shots;
 }
 
@@ -230,7 +236,8 @@ Result<std::vector<Shot>> freeCameraShots(const FreeSide& side, const ReadBatchO
     return Error::unusable(
         message("This folder contains no photographs; put the photographs of one side into it."),
         side.folder);
-  std::vector<Shot> shots = readable(side, options, progress);
+  LeftOut left_out = side.left_out;
+  std::vector<Shot> shots = readable(side, options, left_out, progress);
   const auto most = static_cast<std::size_t>(options.max_free_views);
   if (shots.size() > most) {
     warn(progress, side.folder,
@@ -241,7 +248,7 @@ Result<std::vector<Shot>> freeCameraShots(const FreeSide& side, const ReadBatchO
   }
   if (static_cast<int>(shots.size()) < options.min_views_per_side)
     return tooFewOf(side.side, static_cast<std::ptrdiff_t>(shots.size()),
-                    options.min_views_per_side, side.folder);
+                    options.min_views_per_side, side.folder, left_out);
   const GivenMasks masks(side.mask_folder);
   for (std::size_t i = 0; i < shots.size(); ++i) {
     shots[i].camera = static_cast<int>(i);
@@ -298,7 +305,21 @@ Result<Batch> readPhotographs(const fs::path& front, const std::optional<fs::pat
                          progress);
 }
 
-Error tooFewOf(Side side, std::ptrdiff_t photographs, int least, const fs::path& folder) {
+void LeftOut::add(const Message& why) {
+  if (photographs++ == 0) first = why;
+}
+
+Error tooFewOf(Side side, std::ptrdiff_t photographs, int least, const fs::path& folder,
+               const LeftOut& left_out) {
+  if (left_out.photographs > 0)
+    return {ErrorCode::NotEnough,
+            message(side == Side::Front
+                        ? translatable<4>("Usable photographs of the front side: %1; at least %2 "
+                                          "are needed. Photographs left out: %3; the first: %4")
+                        : translatable<4>("Usable photographs of the back side: %1; at least %2 "
+                                          "are needed. Photographs left out: %3; the first: %4"),
+                    photographs, least, left_out.photographs, left_out.first),
+            folder.string()};
   return {ErrorCode::NotEnough,
           message(side == Side::Front
                       ? translatable<2>("Usable photographs of the front side: %1; at least %2 are "

@@ -27,13 +27,21 @@ bool inOrderOfNames(const std::filesystem::path& a, const std::filesystem::path&
 /// Empty where the folder cannot be read.
 std::vector<std::filesystem::path> photographsIn(const std::filesystem::path& folder);
 
+/// Photographs of a side that are not used.
+struct LeftOut {
+  std::ptrdiff_t photographs = 0;
+  Message first;  ///< why the first one is not; it names the file
+  void add(const Message& why);
+};
+
 /// A side photographed by hand (Way::FreeCamera).
 struct FreeSide {
   Side side = Side::Front;
   std::vector<std::filesystem::path> files;
   std::filesystem::path folder;  ///< of the files, for sentences
   std::filesystem::path
-      mask_folder;  ///< masks by the photographs' stems; empty when there are none
+      mask_folder;        ///< masks by the photographs' stems; empty when there are none
+  LeftOut left_out = {};  ///< in the folder and not among the files
 };
 
 /// Shots in natural order of their names, each with its own camera; sizes may differ. Left out,
@@ -67,9 +75,10 @@ Result<Batch> readPhotographs(const std::filesystem::path& front,
                               const std::optional<std::filesystem::path>& sheet,
                               const ReadBatchOptions& options, Progress& progress);
 
-/// NotEnough. folder: where more are to be put.
+/// NotEnough. folder: where more are to be put. Of those left out it says how many, and why the
+/// first one: who silenced the warnings reads nothing else.
 Error tooFewOf(Side side, std::ptrdiff_t photographs, int least,
-               const std::filesystem::path& folder);
+               const std::filesystem::path& folder, const LeftOut& left_out = {});
 
 /// The mask that came with a photograph, by its stem: sets Shot::mask_file when it has its size.
 class GivenMasks {

@@ -135,12 +135,38 @@ TEST(ReadBatch, LeavesOutThePhotographOfAnotherSize) {
 TEST(ReadBatch, NeedsThreeUsableViewsPerSide) {
   const BatchFolder folder;
   threeViewsPerSide(folder);
-  folder.write("back/cam0_pos01.jpg", "no image");
+  std::filesystem::remove(folder.path() / "back/cam0_pos01.jpg");
+  Listener listener;
+  const auto refusal = [&] { return read(folder, listener).error(); };
+  EXPECT_EQ(refusal().code, ErrorCode::NotEnough);
+  EXPECT_THAT(refusal().what.english(),
+              testing::StartsWith("Usable photographs of the back side: 2; at least 3 are needed. "
+                                  "Take more"));
+  std::filesystem::remove_all(folder.path() / "back");
+  std::filesystem::create_directory(folder.path() / "back");
+  EXPECT_THAT(refusal().what.english(), HasSubstr("Add photographs named cam<C>_pos<PP>.jpg."));
+}
+
+// Who silenced the warnings reads the error alone: it must not ask for names that the files have.
+TEST(ReadBatch, SaysHowManyPhotographsOfASideAreLeftOutAndWhyTheFirst) {
+  const BatchFolder folder;
+  threeViewsPerSide(folder);
+  for (const char* name : {"front/cam0_pos00.jpg", "front/cam0_pos01.jpg", "front/cam0_pos02.jpg"})
+    folder.write(name, "no image");
+  folder.image("front/IMG_1234.jpg");
   Listener listener;
   const auto batch = read(folder, listener);
   ASSERT_FALSE(batch.has_value());
   EXPECT_EQ(batch.error().code, ErrorCode::NotEnough);
-  EXPECT_THAT(batch.error().sentence(), HasSubstr("Usable photographs of the back side: 2;"));
+  const std::string words = batch.error().what.english();
+  EXPECT_THAT(words, HasSubstr("of the front side: 0; at least 3 are needed. Photographs left "
+                               "out: 4; the first: "));
+  EXPECT_THAT(words, HasSubstr("IMG_1234.jpg: The file name does not match"));
+  std::filesystem::remove(folder.path() / "front/IMG_1234.jpg");
+  const std::string unreadable = read(folder, listener).error().what.english();
+  EXPECT_THAT(unreadable, HasSubstr("left out: 3; the first: "));
+  EXPECT_THAT(unreadable, HasSubstr("front/cam0_pos00.jpg: "));
+  EXPECT_THAT(unreadable, testing::Not(HasSubstr("named")));
 }
 
 TEST(ReadBatch, WarnsOfNamesItDoesNotUnderstandAndOfDoubles) {

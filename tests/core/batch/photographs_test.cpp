@@ -255,6 +255,12 @@ TEST(ReadPhotographs, NeedsThreePhotographsOfEachSideThatIsThere) {
   ASSERT_FALSE(batch.has_value());
   EXPECT_EQ(batch.error().code, ErrorCode::NotEnough);
   EXPECT_THAT(batch.error().sentence(), HasSubstr("Usable photographs of the back side: 2"));
+  folder.write("back/IMG_7.jpg", "no image");
+  folder.image("back/IMG_8.jpg", 64, 48);
+  folder.image("back/cam0_pos00.jpg");
+  const std::string words = readPlain(folder, listener).error().what.english();
+  EXPECT_THAT(words, HasSubstr("side: 2; at least 3 are needed. Photographs left out: 3; the "
+                               "first: "));
 }
 
 // Every third photograph is sharp, the others are blurred: of the neighbourhoods of three, the

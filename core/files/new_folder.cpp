@@ -81,7 +81,7 @@ NewFolder::~NewFolder() {
   if (partial_.empty()) return;
   std::error_code ignored;
   fs::remove_all(path(), ignored);
-  fs::remove(partial_ / kLockFile, ignored);
+  lock_.endWithoutTrace();  // some disks keep an open file in its folder under another name
   fs::remove(partial_, ignored);
 }
 

@@ -1,8 +1,12 @@
 #include "files/new_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
 
 #include <fstream>
+#include <vector>
+
+#include "files/file_descriptor.h"
 
 #include "tests/core/files/temporary_folder.h"
 
@@ -71,6 +75,48 @@ TEST_F(NewFolders, RemoveWhatAKilledRunLeftButNothingElse) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().where, partial.string());
   EXPECT_TRUE(fs::exists(partial / "letter.txt"));
+}
+
+// A disk of FUSE keeps a file that is deleted while it is open in its folder until it is closed.
+TEST_F(NewFolders, CloseTheirLockBeforeTheFolderAroundItGoes) {
+  const FileDescriptor watch(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
+  ASSERT_TRUE(watch.isOpen());
+  {
+    Result<NewFolder> folder = NewFolder::begin(place);
+    ASSERT_TRUE(folder) << folder.error().sentence();
+    ASSERT_TRUE(folder->finish());
+    ASSERT_GE(::inotify_add_watch(watch.get(), partial.c_str(), IN_CLOSE_WRITE | IN_DELETE_SELF),
+              0);
+  }
+  std::vector<std::uint32_t> seen;
+  alignas(inotify_event) char bytes[4096];
+  const ssize_t count = ::read(watch.get(), bytes, sizeof bytes);
+  for (const char* at = bytes; at < bytes + count;) {
+    const auto* event = reinterpret_cast<const inotify_event*>(at);
+    if ((event->mask & IN_IGNORED) == 0) seen.push_back(event->mask);
+    at += sizeof(inotify_event) + event->len;
+  }
+  EXPECT_EQ(seen, (std::vector<std::uint32_t>{IN_CLOSE_WRITE, IN_DELETE_SELF}));
+}
+
+// Killed after any step of its end: the lock alone is left, or the folder alone.
+TEST_F(NewFolders, RemoveWhatIsLeftOfTheEndOfAKilledRun) {
+  for (const bool has_lock : {true, false}) {
+    fs::create_directories(partial);
+    if (has_lock) write(partial / "lock");
+    EXPECT_TRUE(NewFolder::begin(place));
+    EXPECT_FALSE(fs::exists(partial)) << has_lock;
+  }
+}
+
+TEST_F(NewFolders, LeaveTheLockOfWhoeverTookTheirPlace) {
+  {
+    const Result<NewFolder> folder = NewFolder::begin(place);
+    ASSERT_TRUE(folder);
+    fs::rename(partial, root / "aside");
+    write(partial / "lock");
+  }
+  EXPECT_TRUE(fs::exists(partial / "lock"));
 }
 
 TEST_F(NewFolders, AreFilledByOneRunAtATime) {

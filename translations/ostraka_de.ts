@@ -27,11 +27,6 @@
       <translation>Import abbrechen</translation>
     </message>
     <message>
-      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zum Importieren den Regler dorthin ziehen, wo die Scherben umgedreht wurden, oder „Nur eine Seite“ wählen.</translation>
-    </message>
-    <message>
       <source>From %1. The bag can also be given later, in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aus %1. Der Beutel kann auch später im Katalog angegeben werden.</translation>
@@ -40,6 +35,11 @@
         <source>Enter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Eingabe</translation>
+    </message>
+    <message>
+      <source>To import, confirm or move the division between front and back, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zum Importieren die Teilung zwischen Vorder- und Rückseite bestätigen oder verschieben, oder „Nur eine Seite“ wählen.</translation>
     </message>
 </context>
 <context>
@@ -10781,6 +10781,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ordner enthält mehrere Ordner mit Fotos (%1); die zwei eines Durchgangs, Vorder- und Rückseite, hier ablegen.</translation>
     </message>
+    <message>
+      <source>The photographs of this folder are those of the front already; choose another folder for the back, or divide the series with the slider.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Fotos dieses Ordners sind schon die der Vorderseite; einen anderen Ordner für die Rückseite wählen oder die Reihe mit dem Schieber teilen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportChooser</name>
@@ -10911,9 +10916,14 @@
       <translation>Ein Ordner mit beiden Seiten wird dort geteilt, wo die Scherben gewendet wurden; der Ordner der Rückseiten ersetzt die Teilung</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <source>No pause stands out between the photographs. Where the two pictures beside the division show the sherds before and after they were turned over, divide here; else move the slider, or choose the folder of the back photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zwischen den Fotos sticht keine Pause hervor. Den Schieber dorthin bewegen, wo die Scherben gewendet wurden, oder den Ordner der Rückseiten wählen.</translation>
+      <translation>Zwischen den Fotos fällt keine Pause auf. Zeigen die beiden Bilder neben der Teilung die Scherben vor und nach dem Wenden, hier teilen; sonst den Schieber bewegen oder den Ordner mit den Fotos der Rückseiten wählen.</translation>
+    </message>
+    <message>
+      <source>Divide here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hier teilen</translation>
     </message>
 </context>
 <context>

@@ -27,11 +27,6 @@
       <translation>Χωρίς εισαγωγή</translation>
     </message>
     <message>
-      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Για εισαγωγή, μετακινήστε τον δείκτη εκεί όπου γύρισαν τα όστρακα ή επιλέξτε μία μόνο όψη.</translation>
-    </message>
-    <message>
       <source>From %1. The bag can also be given later, in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Από %1. Η σακούλα μπορεί να δηλωθεί και αργότερα, στον κατάλογο.</translation>
@@ -40,6 +35,11 @@
         <source>Enter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Enter</translation>
+    </message>
+    <message>
+      <source>To import, confirm or move the division between front and back, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Για την εισαγωγή, επιβεβαιώστε ή μετακινήστε τη διαίρεση μεταξύ μπροστινής και πίσω όψης ή επιλέξτε μόνο μία όψη.</translation>
     </message>
 </context>
 <context>
@@ -10781,6 +10781,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτός ο φάκελος περιέχει πολλούς φακέλους με φωτογραφίες (%1)· αφήστε σε αυτή τη σελίδα τους δύο μιας παρτίδας, μπροστινή και πίσω όψη.</translation>
     </message>
+    <message>
+      <source>The photographs of this folder are those of the front already; choose another folder for the back, or divide the series with the slider.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι φωτογραφίες αυτού του φακέλου είναι ήδη της μπροστινής όψης· επιλέξτε άλλον φάκελο για την πίσω όψη ή διαιρέστε τη σειρά με τον ρυθμιστή.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportChooser</name>
@@ -10911,9 +10916,14 @@
       <translation>Ένας φάκελος με τις δύο όψεις χωρίζεται εκεί όπου γύρισαν τα όστρακα· ο φάκελος των πίσω όψεων αντικαθιστά τον χωρισμό</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <source>No pause stands out between the photographs. Where the two pictures beside the division show the sherds before and after they were turned over, divide here; else move the slider, or choose the folder of the back photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καμία παύση δεν ξεχωρίζει ανάμεσα στις φωτογραφίες. Μετακινήστε τον δρομέα εκεί όπου γύρισαν τα όστρακα ή επιλέξτε τον φάκελο των πίσω όψεων.</translation>
+      <translation>Δεν ξεχωρίζει παύση ανάμεσα στις φωτογραφίες. Αν οι δύο εικόνες δίπλα στη διαίρεση δείχνουν τα όστρακα πριν και αφού γυρίστηκαν, διαιρέστε εδώ· αλλιώς μετακινήστε τον ρυθμιστή ή επιλέξτε τον φάκελο με τις φωτογραφίες της πίσω όψης.</translation>
+    </message>
+    <message>
+      <source>Divide here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διαίρεση εδώ</translation>
     </message>
 </context>
 <context>

@@ -27,11 +27,6 @@
       <translation>Cancelar importación</translation>
     </message>
     <message>
-      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Para importar, mueva el control hasta donde se dio la vuelta a los fragmentos o elija un solo lado.</translation>
-    </message>
-    <message>
       <source>From %1. The bag can also be given later, in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>De %1. La bolsa también puede indicarse más tarde, en el catálogo.</translation>
@@ -40,6 +35,11 @@
         <source>Enter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Intro</translation>
+    </message>
+    <message>
+      <source>To import, confirm or move the division between front and back, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Para importar, confirme o mueva la división entre anverso y reverso, o elija un solo lado.</translation>
     </message>
 </context>
 <context>
@@ -10781,6 +10781,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta carpeta contiene varias carpetas con fotos (%1); suelte en esta página las dos de una tanda, anverso y reverso.</translation>
     </message>
+    <message>
+      <source>The photographs of this folder are those of the front already; choose another folder for the back, or divide the series with the slider.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las fotografías de esta carpeta ya son las del anverso; elija otra carpeta para el reverso, o divida la serie con el control.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportChooser</name>
@@ -10911,9 +10916,14 @@
       <translation>Una carpeta con ambos lados se divide donde se dio la vuelta a los fragmentos; la carpeta de los reversos sustituye esa división</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <source>No pause stands out between the photographs. Where the two pictures beside the division show the sherds before and after they were turned over, divide here; else move the slider, or choose the folder of the back photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ninguna pausa destaca entre las fotografías. Mueva el control hasta donde se dio la vuelta a los fragmentos, o elija la carpeta de los reversos.</translation>
+      <translation>No se nota ninguna pausa entre las fotografías. Si las dos imágenes junto a la división muestran los fragmentos antes y después de darles la vuelta, divida aquí; si no, mueva el control o elija la carpeta de las fotografías del reverso.</translation>
+    </message>
+    <message>
+      <source>Divide here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dividir aquí</translation>
     </message>
 </context>
 <context>

@@ -27,11 +27,6 @@
       <translation>Annuler l&apos;importation</translation>
     </message>
     <message>
-      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Pour importer, placez le curseur là où les tessons ont été retournés, ou choisissez une seule face.</translation>
-    </message>
-    <message>
       <source>From %1. The bag can also be given later, in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>De %1. Le sac peut aussi être indiqué plus tard, dans le catalogue.</translation>
@@ -40,6 +35,11 @@
         <source>Enter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Entrée</translation>
+    </message>
+    <message>
+      <source>To import, confirm or move the division between front and back, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pour importer, confirmez ou déplacez la division entre faces avant et arrière, ou choisissez une seule face.</translation>
     </message>
 </context>
 <context>
@@ -10781,6 +10781,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier contient plusieurs dossiers avec des photos (%1) ; déposez sur cette page les deux d’un même lot, face avant et face arrière.</translation>
     </message>
+    <message>
+      <source>The photographs of this folder are those of the front already; choose another folder for the back, or divide the series with the slider.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photographies de ce dossier sont déjà celles de la face avant ; choisissez un autre dossier pour la face arrière, ou divisez la série avec le curseur.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportChooser</name>
@@ -10911,9 +10916,14 @@
       <translation>Un dossier contenant les deux faces est divisé là où les tessons ont été retournés ; le dossier des revers remplace cette division</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <source>No pause stands out between the photographs. Where the two pictures beside the division show the sherds before and after they were turned over, divide here; else move the slider, or choose the folder of the back photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune pause ne se distingue entre les photos. Déplacer le curseur là où les tessons ont été retournés, ou choisir le dossier des revers.</translation>
+      <translation>Aucune pause nette entre les photographies. Si les deux images à côté de la division montrent les tessons avant et après leur retournement, divisez ici ; sinon déplacez le curseur, ou choisissez le dossier des photographies de la face arrière.</translation>
+    </message>
+    <message>
+      <source>Divide here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diviser ici</translation>
     </message>
 </context>
 <context>

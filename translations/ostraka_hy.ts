@@ -27,11 +27,6 @@
       <translation>Ոչինչ չներմուծել</translation>
     </message>
     <message>
-      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ներմուծելու համար տեղափոխեք սահիչն այնտեղ, որտեղ բեկորները շրջվել են, կամ ընտրեք միայն մեկ երես։</translation>
-    </message>
-    <message>
       <source>From %1. The bag can also be given later, in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ից։ Տոպրակը կարելի է նշել նաև ավելի ուշ՝ կատալոգում։</translation>
@@ -40,6 +35,11 @@
         <source>Enter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Enter</translation>
+    </message>
+    <message>
+      <source>To import, confirm or move the division between front and back, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծելու համար հաստատեք կամ տեղափոխեք առջևի և հետևի երեսի բաժանումը կամ ընտրեք միայն մեկ երես։</translation>
     </message>
 </context>
 <context>
@@ -10781,6 +10781,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակում լուսանկարներով մի քանի պանակ կա (%1). գցեք մեկ խմբաքանակի երկուսը՝ առջևի և հետևի երեսները, այս էջի վրա։</translation>
     </message>
+    <message>
+      <source>The photographs of this folder are those of the front already; choose another folder for the back, or divide the series with the slider.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակի լուսանկարներն արդեն առջևի երեսինն են. հետևի երեսի համար ընտրեք այլ պանակ կամ սահիչով բաժանեք շարքը։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportChooser</name>
@@ -10911,9 +10916,14 @@
       <translation>Երկու երեսները պարունակող պանակը բաժանվում է այնտեղ, որտեղ բեկորները շրջվել են. դարձերեսների պանակը փոխարինում է այդ բաժանումը</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <source>No pause stands out between the photographs. Where the two pictures beside the division show the sherds before and after they were turned over, divide here; else move the slider, or choose the folder of the back photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարների միջև ակնառու դադար չկա։ Տեղափոխեք սահիչը այնտեղ, որտեղ բեկորները շրջվել են, կամ ընտրեք դարձերեսների պանակը։</translation>
+      <translation>Լուսանկարների միջև ընդմիջում չի երևում։ Եթե բաժանման կողքի երկու նկարները ցույց են տալիս բեկորները շրջելուց առաջ և հետո, բաժանեք այստեղ. այլապես տեղափոխեք սահիչը կամ ընտրեք հետևի երեսի լուսանկարների պանակը։</translation>
+    </message>
+    <message>
+      <source>Divide here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաժանել այստեղ</translation>
     </message>
 </context>
 <context>

@@ -27,11 +27,6 @@
       <translation>İçe aktarma</translation>
     </message>
     <message>
-      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İçe aktarmak için kaydırıcıyı parçaların çevrildiği yere getirin veya yalnızca tek yüzü seçin.</translation>
-    </message>
-    <message>
       <source>From %1. The bag can also be given later, in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaynak: %1. Torba daha sonra katalogda da verilebilir.</translation>
@@ -40,6 +35,11 @@
         <source>Enter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Enter</translation>
+    </message>
+    <message>
+      <source>To import, confirm or move the division between front and back, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İçe aktarmak için ön ve arka yüz arasındaki bölmeyi onaylayın ya da kaydırın, ya da yalnızca bir yüzü seçin.</translation>
     </message>
 </context>
 <context>
@@ -10733,6 +10733,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasörde fotoğraf içeren birkaç klasör var (%1); bir partinin iki klasörünü, ön ve arka yüz, bu sayfaya bırakın.</translation>
     </message>
+    <message>
+      <source>The photographs of this folder are those of the front already; choose another folder for the back, or divide the series with the slider.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasörün fotoğrafları zaten ön yüzün fotoğrafları; arka yüz için başka bir klasör seçin ya da diziyi sürgüyle bölün.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ImportChooser</name>
@@ -10862,9 +10867,14 @@
       <translation>İki yüzü de içeren klasör, parçaların çevrildiği yerde bölünür; arka yüz klasörü bu bölmenin yerini alır</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <source>No pause stands out between the photographs. Where the two pictures beside the division show the sherds before and after they were turned over, divide here; else move the slider, or choose the folder of the back photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotoğraflar arasında belirgin bir ara yok. Kaydırıcıyı parçaların çevrildiği yere getirin ya da arka yüz klasörünü seçin.</translation>
+      <translation>Fotoğraflar arasında belirgin bir ara yok. Bölmenin yanındaki iki resim parçaları çevrilmeden önce ve sonra gösteriyorsa buradan bölün; değilse sürgüyü kaydırın ya da arka yüz fotoğraflarının klasörünü seçin.</translation>
+    </message>
+    <message>
+      <source>Divide here</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Buradan böl</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,7 @@
 #include "ui/import/place_edit.h"
 #include "ui/import/sides_view.h"
 #include "ui/look/look.h"
+#include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
@@ -90,7 +91,10 @@ CaptureScreen::CaptureScreen(CaptureWizard* wizard, QWidget* parent)
   connect(rig_page_, &RigPage::importPhotographs, import_photographs_, &QAction::trigger);
   connect(rig_page_, &RigPage::importScans, import_scans_, &QAction::trigger);
   connect(importer_, &BatchImporter::imported, this, &CaptureScreen::showImported);
-  connect(importer_, &BatchImporter::failed, this, &CaptureScreen::showFailure);
+  connect(importer_, &BatchImporter::failed, this, [this](const Error& error) {
+    if (error.code != ErrorCode::Cancelled && !import_ask_->isAsking()) import_ask_->askAgain();
+    showFailure(error);
+  });
   connect(renewal_, &RigRenewal::failed, this, &CaptureScreen::showFailure);
   connect(renewal_, &RigRenewal::renewed, this, [this](const QString& batch, const QString& kept) {
     chooseRig(rigChoice());  // its age is new
@@ -123,6 +127,7 @@ void CaptureScreen::buildImport(QVBoxLayout* all) {
   connect(import_ask_, &ImportAsk::confirmed, this, &CaptureScreen::follow);
   connect(import_ask_, &ImportAsk::left, this, &CaptureScreen::follow);
   connect(import_ask_, &ImportAsk::left, this, &CaptureScreen::importLeft);
+  connect(import_ask_, &ImportAsk::placeEdited, this, &CaptureScreen::lineChanged);
   connect(importer_, &BatchImporter::started, this, &CaptureScreen::follow);
   connect(importer_, &BatchImporter::progressed, this, &CaptureScreen::tellWork);
   connect(importer_, &BatchImporter::ended, this, &CaptureScreen::follow);
@@ -251,7 +256,9 @@ QWidget* CaptureScreen::buildFoot() {
 }
 
 QString CaptureScreen::whereWords() const {
-  return wizard_->description()->place().words();
+  return (import_ask_->isAsking() ? import_ask_->place()->place()
+                                  : wizard_->description()->place())
+      .words();
 }
 
 void CaptureScreen::openProject(ProjectSession& session) {

@@ -25,7 +25,7 @@ ImportAsk::ImportAsk(QWidget* parent)
   setObjectName(QStringLiteral("importAsk"));
   words_->setWordWrap(true);
   reason_->setText(
-      tr("To import, move the slider to where the sherds were turned over, or choose one side "
+      tr("To import, confirm or move the division between front and back, or choose one side "
          "only."));
   import_ = new BigButton(QStringLiteral("importStart"), tr("Import"), this);
   import_->setKeyHint(tr("Enter"));
@@ -42,6 +42,7 @@ ImportAsk::ImportAsk(QWidget* parent)
   connect(leave, &QPushButton::clicked, this, &ImportAsk::leave);
   connect(place_, &PlaceEdit::entered, this, &ImportAsk::confirm);
   connect(place_, &PlaceEdit::edited, this, &ImportAsk::follow);
+  connect(place_, &PlaceEdit::edited, this, &ImportAsk::placeEdited);
   connect(sides_, &SidesView::changed, this, &ImportAsk::follow);
   connect(sides_, &SidesView::sheetPrinted, this,
           [this](const QString& headline, const QString& words) {
@@ -82,6 +83,10 @@ void ImportAsk::open(const QString& folder, ImportKind kind) {
   kind_ = kind;
   words_->setText(tr("From %1. The bag can also be given later, in the catalogue.").arg(folder));
   place_->setText({});  // the bag on the turntable is another, mostly
+  askAgain();
+}
+
+void ImportAsk::askAgain() {
   follow();
   show();
   emit asked();

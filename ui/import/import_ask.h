@@ -27,10 +27,13 @@ class ImportAsk final : public QWidget {
   void ask(const QString& folder, ImportKind kind);
   /// The same of photographs by hand, whose sides are confirmed, too.
   void askSides(const SidesPlan& plan);
+  /// As it was confirmed last: that could not be imported.
+  void askAgain();
   void leave();
 
  signals:
   void asked();  ///< this is the one field for a bag now
+  void placeEdited();
   void confirmed(const QString& folder, ostraka::ui::ImportKind kind,
                  const ostraka::ui::PlaceText& place,
                  const std::optional<ostraka::ui::ImportSides>& sides);

@@ -70,9 +70,11 @@ void ImportChooser::choose(ImportKind kind) {
 void ImportChooser::chooseBack() {
   QFileDialog* dialog = askForFile(screen_, tr("Folder of the back photographs"), {}, {});
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+    if (!ask_->isAsking()) return;
     const Result<SidesPlan> both = withBack(ask_->sides()->plan(), folder);
     if (!both) return emit failed(both.error());
     ask_->sides()->setPlan(*both);
+    ask_->askAgain();
   });
 }
 

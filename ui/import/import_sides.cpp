@@ -91,6 +91,26 @@ void divide(SidesPlan& plan, std::vector<fs::path> files) {
   plan.flip_found = series.flip_found;
 }
 
+// Of the front's photographs.
+bool holds(const std::vector<fs::path>& photographs, const fs::path& other) {
+  return std::ranges::any_of(photographs, [&](const fs::path& one) {
+    std::error_code ignored;
+    return fs::equivalent(one, other, ignored);
+  });
+}
+
+Result<void> areOther(const std::vector<fs::path>& fronts, const std::vector<fs::path>& backs) {
+  for (const fs::path& back : backs)
+    if (holds(fronts, back))
+      return refused(
+          QT_TRANSLATE_NOOP("ImportSides",
+                            "The photographs of this folder are those of the front already; "
+                            "choose another folder for the back, or divide the series with the "
+                            "slider."),
+          back.parent_path());
+  return {};
+}
+
 // Whose clock began later holds the backs; without clocks, the one that is called so.
 void join(SidesPlan& plan, const fs::path& first, const fs::path& second) {
   const std::vector<fs::path> one = batch::photographsIn(first),
@@ -184,6 +204,7 @@ Result<SidesPlan> withBack(SidesPlan plan, const QString& folder) {
   const std::vector<fs::path> backs = batch::photographsIn(folder.toStdString());
   if (backs.empty()) return refused(kNoPhotographs, folder.toStdString());
   if (!plan.divisible && !plan.one_side) plan.files = plan.sides().front;
+  if (Result<void> other = areOther(plan.files, backs); !other) return other.error();
   plan.first_second = plan.files.size();
   plan.files.insert(plan.files.end(), backs.begin(), backs.end());
   plan.divisible = plan.one_side = plan.backs_first = false;

@@ -47,7 +47,7 @@ Result<std::optional<SidesPlan>> planSides(const QStringList& dropped,
                                            const std::filesystem::path& last_sheet);
 
 /// The same with the photographs of this folder for its back: a series that was divided, or one
-/// side only, is the front as a whole. Errors: UnusableInput (no photographs).
+/// side only, is the front as a whole. Errors: UnusableInput (no photographs, or the front's own).
 Result<SidesPlan> withBack(SidesPlan plan, const QString& folder);
 
 }  // namespace ostraka::ui

@@ -31,6 +31,7 @@ SidesView::SidesView(QWidget* parent)
       flip_(wrappedLabel(this, QStringLiteral("importFlip"))),
       where_(named<QSlider>({"importDivide", tr("First photograph of the second side")},
                             Qt::Horizontal, this)),
+      divided_(named<QPushButton>("importDivided", tr("Divide here"), this)),
       one_side_(named<QCheckBox>("importOneSide", tr("One side only"), this)),
       swap_(named<QPushButton>("importSwap", tr("Swap sides"), this)),
       sheet_(named<ElidedLabel>("importSheet", this)),
@@ -54,7 +55,8 @@ SidesView::SidesView(QWidget* parent)
   back->setToolTip(
       tr("A folder that holds both sides is split where the sherds were turned over; the folder of "
          "the back photographs replaces the split"));
-  auto* dividing = filled(new QHBoxLayout, {{where_, 1}, one_side_, swap_, ui::Part::room(), back});
+  auto* dividing = filled(new QHBoxLayout,
+                          {{where_, 1}, divided_, one_side_, swap_, ui::Part::room(), back});
   connect(back, &QPushButton::clicked, this, &SidesView::backWanted);
   auto* print = new PrintSheetButton(QStringLiteral("importPrintSheet"), this);
   auto* beneath = filled(new QHBoxLayout, {{sheet_, 1}, clear_sheet_, choose, print});
@@ -70,8 +72,12 @@ SidesView::SidesView(QWidget* parent)
   }
   connect(where_, &QSlider::valueChanged, this, [this](int at) {
     plan_.first_second = static_cast<std::size_t>(at);
-    plan_.flip_found = true;  // a person said so
-    follow();
+    confirmDivision();
+  });
+  connect(where_, &QSlider::sliderReleased, this, &SidesView::confirmDivision);
+  connect(divided_, &QPushButton::clicked, this, [this] {
+    where_->setFocus();  // the button goes
+    confirmDivision();
   });
   connect(one_side_, &QCheckBox::toggled, this, [this](bool on) {
     plan_.one_side = on;
@@ -124,6 +130,12 @@ void SidesView::setPlan(const SidesPlan& plan) {
   follow();
 }
 
+// A person said so.
+void SidesView::confirmDivision() {
+  plan_.flip_found = true;
+  follow();
+}
+
 void SidesView::chooseSheet() {
   connect(askForFile(this, tr("Sheet under the sherds"), {}, tr("Sheet (*.json)")),
           &QFileDialog::fileSelected, this, &SidesView::useSheet);
@@ -146,8 +158,10 @@ void SidesView::follow() {
   flip_->setText(
       plan_.flip_found
           ? tr("The series is divided where the sherds were turned over.")
-          : tr("No pause stands out between the photographs. Move the slider to where the "
-               "sherds were turned over, or choose the folder of the back photographs."));
+          : tr("No pause stands out between the photographs. Where the two pictures beside the "
+               "division show the sherds before and after they were turned over, divide here; "
+               "else move the slider, or choose the folder of the back photographs."));
+  divided_->setVisible(plan_.divisible && !plan_.one_side && !plan_.flip_found);
   clear_sheet_->setVisible(plan_.sheet.has_value());
   for (QWidget* widget : {static_cast<QWidget*>(marker_label_), static_cast<QWidget*>(marker_)})
     widget->setVisible(!plan_.sheet);

@@ -43,6 +43,7 @@ class SidesView final : public QWidget {
   void chooseSheet();
   void useSheet(const QString& file);
   void follow();
+  void confirmDivision();
   void showPart(const Part& part, const QString& side,
                 const std::vector<std::filesystem::path>& files);
   void showPicture(QLabel* label, const std::filesystem::path& file);
@@ -52,6 +53,7 @@ class SidesView final : public QWidget {
   std::array<Part, 2> parts_;
   QLabel* flip_;
   QSlider* where_;
+  QPushButton* divided_;  ///< here, where a person need not move it
   QCheckBox* one_side_;
   QPushButton* swap_;
   ElidedLabel* sheet_;

@@ -5,6 +5,7 @@
 #include <QDropEvent>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSlider>
@@ -19,6 +20,7 @@
 #include "ui/frame/project_session.h"
 #include "ui/import/batch_importer.h"
 #include "ui/import/import_ask.h"
+#include "ui/import/place_edit.h"
 #include "ui/widgets/message_panel.h"
 #include "ui/wizard/capture_wizard.h"
 #include "upkeep/project.h"
@@ -113,6 +115,51 @@ class CaptureImportTest : public CaptureBench {
     QTest::keyClick(ask, Qt::Key_Escape);
     QVERIFY(!ask->isVisible());
     QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());
+  }
+
+  // It lies in the middle, and the person turned the sherds over there.
+  void aDivisionThatIsRightIsConfirmedWithOneButton() {
+    photographs("series", 8);
+    drop({disk_->filePath("series")});
+    QTRY_VERIFY(screen_->findChild<ImportAsk*>()->isVisible());
+    auto* start = child<QPushButton>("importStart");
+    auto* divided = child<QPushButton>("importDivided");
+    QVERIFY(divided->isVisible() && !start->isEnabled());
+    QTest::mouseClick(divided, Qt::LeftButton);
+    QVERIFY(start->isEnabled());
+    QVERIFY(!divided->isVisible());
+    QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_3.jpg"));
+    QVERIFY(child<QLabel>("importBack")->text().contains("IMG_4.jpg to IMG_7.jpg"));
+  }
+
+  void theLineAtTheHeadIsOfTheImportsOwnBag() {
+    photographs("series", 8);
+    auto* ask = screen_->findChild<ImportAsk*>();
+    drop({disk_->filePath("series")});
+    QTRY_VERIFY(ask->isVisible());
+    QCOMPARE(screen_->whereWords(), QString());
+    QSignalSpy changed(screen_.get(), &CaptureScreen::lineChanged);
+    QTest::keyClicks(ask->place()->findChild<QLineEdit*>(), "ARM1-T3-0012-6");
+    QVERIFY(changed.count() > 0);
+    QCOMPARE(screen_->whereWords(), QStringLiteral("ARM1 / T3 / 0012 bag 6"));
+  }
+
+  void anImportThatIsRefusedComesBackToTheFilledPage() {
+    photographs("up", 4);
+    photographs("dn", 4);  // the same pictures
+    QVERIFY(virtualrig::writePlateAndBoard(disk_->path().toStdString()).has_value());
+    drop({disk_->filePath("up"), disk_->filePath("dn")});
+    auto* ask = screen_->findChild<ImportAsk*>();
+    QTRY_VERIFY(ask->isVisible());
+    QTest::keyClicks(ask->place()->findChild<QLineEdit*>(), "ARM1-T3-0012-6");
+    QTest::mouseClick(child<QPushButton>("importStart"), Qt::LeftButton);
+    QTRY_VERIFY(shownMessage() != nullptr);
+    QVERIFY(shownMessage()->words().contains("identical"));
+    QVERIFY(ask->isVisible());
+    QCOMPARE(ask->place()->text(), QStringLiteral("ARM1-T3-0012-6"));
+    QVERIFY(child<QLabel>("importBack")->text().contains("4 photograph"));
+    ask->leave();
+    QVERIFY(shownMessage() == nullptr);
   }
 
   void whatImportsIsInSightOnASmallScreen() {

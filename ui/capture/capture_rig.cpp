@@ -27,7 +27,7 @@ void CaptureScreen::buildTwice() {
   connect(importer_, &BatchImporter::alreadyThere, this,
           [this](const QString& number, const QString& folder, int there, int files) {
             twice_->showWords(
-                folder,
+                State::Ask, folder,
                 there == files
                     ? tr("%1 already has these files, so nothing was imported. If you import "
                          "them anyway, its sherds appear twice in the catalogue.")

@@ -256,8 +256,7 @@ QWidget* CaptureScreen::buildFoot() {
 }
 
 QString CaptureScreen::whereWords() const {
-  return (import_ask_->isAsking() ? import_ask_->place()->place()
-                                  : wizard_->description()->place())
+  return (import_ask_->isAsking() ? import_ask_->place()->place() : wizard_->description()->place())
       .words();
 }
 
@@ -347,7 +346,8 @@ void CaptureScreen::showImported(const QString& number, int files, const QString
       tr("%1: %n file(s) imported; it is in the queue.", nullptr, files).arg(number);
   const QStringList more = note.isEmpty() ? doubts : QStringList(note) + doubts;
   if (!more.isEmpty())
-    failure_->showSuccess(words, more.join(QLatin1Char('\n')), !doubts.isEmpty(), tr("OK"));
+    failure_->showWords(doubts.isEmpty() ? State::Sure : State::Ask, words,
+                        more.join(QLatin1Char('\n')), tr("OK"));
   emit said(words);
   // Without a rig nothing is to be photographed meanwhile; what is to be read or typed here stays.
   if (isVisible() && !import_ask_->isAsking() && wizard_->phase() == CapturePhase::NoRig &&
@@ -454,7 +454,7 @@ void CaptureScreen::followBag() {
   const QStringList numbers = wizard_->batch().numbersOfAnotherBag();
   other_numbers_->setVisible(!numbers.isEmpty());
   if (numbers.isEmpty()) return;
-  other_numbers_->showWords(tr("The bag is another now, the numbers are not"),
+  other_numbers_->showWords(State::Ask, tr("The bag is another now, the numbers are not"),
                             tr("Not as this bag's sherds are numbered: %1. Type them anew (N, or "
                                "later in the catalogue), "
                                "or say that they are right.")
@@ -480,6 +480,7 @@ void CaptureScreen::showTrouble() {
     doubts_->hide();
   else
     doubts_->showWords(
+        State::Ask,
         wizard_->asksToRepeat() ? tr("Photograph this side again?") : tr("Check this first"),
         wizard_->doubts().join(QLatin1Char('\n')), tr("Photograph again"), tr("R"));
 }

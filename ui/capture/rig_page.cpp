@@ -95,7 +95,7 @@ void RigPage::hideEvent(QHideEvent* event) {
 // Once for a project: what it invents stands among real finds.
 void RigPage::askForVirtual() {
   if (choice_.kind == RigChoice::Kind::Virtual) return chooseVirtual();
-  ask_->showWords(tr("Use the virtual rig in this project?"),
+  ask_->showWords(State::Ask, tr("Use the virtual rig in this project?"),
                   tr("It is for practice: its sherds are invented, and they enter this project's "
                      "catalogue. The queue marks its batches as invented."),
                   tr("Use the virtual rig"));

@@ -55,8 +55,8 @@ SidesView::SidesView(QWidget* parent)
   back->setToolTip(
       tr("A folder that holds both sides is split where the sherds were turned over; the folder of "
          "the back photographs replaces the split"));
-  auto* dividing = filled(new QHBoxLayout,
-                          {{where_, 1}, divided_, one_side_, swap_, ui::Part::room(), back});
+  auto* dividing =
+      filled(new QHBoxLayout, {{where_, 1}, divided_, one_side_, swap_, ui::Part::room(), back});
   connect(back, &QPushButton::clicked, this, &SidesView::backWanted);
   auto* print = new PrintSheetButton(QStringLiteral("importPrintSheet"), this);
   auto* beneath = filled(new QHBoxLayout, {{sheet_, 1}, clear_sheet_, choose, print});

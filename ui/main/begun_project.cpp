@@ -61,7 +61,7 @@ void BegunProject::leave() {
   if (const auto gone = upkeep::Project::removeUnused(place, history_); !gone || !*gone)
     return window_.openProject(folder);
   emit removed(folder);
-  start_.tell(MainWindow::tr("Import cancelled"),
+  start_.tell(State::Ask, MainWindow::tr("Import cancelled"),
               MainWindow::tr("The project that was created for it is removed. Your photographs are "
                              "as they were."),
               {});

@@ -61,9 +61,10 @@ void CatalogueRepair::repair(const QString& folder) {
   if (job_ != nullptr) return;
   lock_ = ProjectLock::take(folder);
   if (lock_ == nullptr)
-    return emit told(
-        folder, tr("Another window has this project open: close it there, then repair it."), {});
-  emit told(tr("The catalogue is being repaired …"), folder, {});
+    return emit told(State::Failed, folder,
+                     tr("Another window has this project open: close it there, then repair it."),
+                     {});
+  emit told(State::Busy, tr("The catalogue is being repaired …"), folder, {});
   const std::filesystem::path project = folder.toStdString();
   job_ = runner_.start(
       makeJob([project](Progress& progress, std::stop_token stop) -> Result<RepairReport> {
@@ -73,8 +74,9 @@ void CatalogueRepair::repair(const QString& folder) {
   whenDone<RepairReport>(job_, this, [this, folder](const auto& report) {
     lock_.reset();
     if (!report)
-      return emit told(tr("The catalogue could not be repaired."), sentenceOf(report.error()), {});
-    emit told(tr("The catalogue is repaired."), wordsOf(*report), folder);
+      return emit told(State::Failed, tr("The catalogue could not be repaired."),
+                       sentenceOf(report.error()), {});
+    emit told(State::Sure, tr("The catalogue is repaired."), wordsOf(*report), folder);
   });
 }
 

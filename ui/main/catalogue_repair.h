@@ -4,6 +4,8 @@
 #include <QString>
 #include <memory>
 
+#include "ui/look/state_colours.h"
+
 namespace ostraka::ui {
 
 class JobHandle;
@@ -22,7 +24,8 @@ class CatalogueRepair final : public QObject {
 
  signals:
   /// project: may be opened now; empty while it is repaired and when it could not be.
-  void told(const QString& headline, const QString& words, const QString& project);
+  void told(ostraka::ui::State state, const QString& headline, const QString& words,
+            const QString& project);
 
  private:
   JobRunner& runner_;

@@ -22,19 +22,19 @@ void RestoredProject::take(const QString& folder, const QStringList& damage) {
   const QString done = MainWindow::tr("The project is restored.");
   const bool other = window_.session() != nullptr;
   if (!other && damage.isEmpty()) {
-    start_.tell(done, folder, {});
+    start_.tell(State::Sure, done, folder, {});
     return window_.openProject(folder);
   }
   const QString words = damage.isEmpty() ? folder
                                          : MainWindow::tr("It was archived with damage:") + '\n' +
                                                damage.join(QLatin1Char('\n'));
-  start_.tell(done, words, folder);
+  start_.tell(damage.isEmpty() ? State::Sure : State::Ask, done, words, folder);
   if (other) emit said(done);
 }
 
 void RestoredProject::tellFailure(const Error& error) {
   if (error.code == ErrorCode::Cancelled)
-    return start_.tell(MainWindow::tr("Restoring cancelled"),
+    return start_.tell(State::Ask, MainWindow::tr("Restoring cancelled"),
                        MainWindow::tr("Nothing was left behind."), {});
   start_.showError(error);
   if (window_.session() != nullptr) emit said(sentenceOf(error));

@@ -133,7 +133,9 @@ QWidget* StartScreen::buildRecent() {
   auto* print = new PrintSheetButton(QStringLiteral("startPrintSheet"), box);
   connect(print, &PrintSheetButton::failed, this, &StartScreen::showError);
   connect(print, &PrintSheetButton::printed, this,
-          [this](const QString& headline, const QString& words) { tell(headline, words, {}); });
+          [this](const QString& headline, const QString& words) {
+            tell(State::Sure, headline, words, {});
+          });
   auto* opening = filled(new QHBoxLayout, {{open_, 1}, {open, 1}});
   filled(
       bareLayout<QVBoxLayout>(box),
@@ -234,15 +236,17 @@ void StartScreen::showError(const Error& error) {
                                                               : tr("Restore…"));
 }
 
-void StartScreen::tell(const QString& headline, const QString& words, const QString& project) {
+void StartScreen::tell(State state, const QString& headline, const QString& words,
+                       const QString& project) {
   then_ = nullptr;
   if (!project.isEmpty()) then_ = [this, project] { emit opened(project); };
-  message_->showWords(headline, words, project.isEmpty() ? tr("OK") : tr("Open the project"));
+  message_->showWords(state, headline, words,
+                      project.isEmpty() ? tr("OK") : tr("Open the project"));
 }
 
 void StartScreen::showRestoring(const QString& folder, const QString& words) {
   then_ = [this] { emit restoreCancelled(); };
-  message_->showWords(tr("Restoring the project to %1").arg(shortPath(folder)), words,
+  message_->showWords(State::Busy, tr("Restoring the project to %1").arg(shortPath(folder)), words,
                       tr("Cancel"));
 }
 

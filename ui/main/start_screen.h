@@ -2,6 +2,7 @@
 #include <QWidget>
 #include <functional>
 
+#include "ui/look/state_colours.h"
 #include "ui/main/new_project.h"
 
 class QLabel;
@@ -26,7 +27,7 @@ class StartScreen final : public QWidget {
   /// Of a damaged catalogue it offers the repair, of an archive that it is restored.
   void showError(const Error& error);
   /// project: may be opened now; empty: not.
-  void tell(const QString& headline, const QString& words, const QString& project);
+  void tell(State state, const QString& headline, const QString& words, const QString& project);
   /// Until something else is told: how far the restoring of a project into this folder is.
   void showRestoring(const QString& folder, const QString& words);
   NewProject* fresh() const { return fresh_; }

@@ -279,7 +279,8 @@ void QueueScreen::followStop() {
     message_->showError({ErrorCode::CannotWrite, switches.trouble().toStdString(), {}},
                         tr("Resume"));
   else if (stop_shown_)
-    message_->showWords(tr("The queue is paused: this project was restored from an archive."),
+    message_->showWords(State::Ask,
+                        tr("The queue is paused: this project was restored from an archive."),
                         tr("Its batches that are not processed yet wait until you resume it."),
                         session_->whyReadOnly().isEmpty() ? tr("Resume") : QString());
   else if (before)
@@ -403,7 +404,7 @@ void QueueScreen::askOrCancel() {
     return;
   }
   asked_about_ = selected();
-  message_->showWords(tr("Cancel %1?").arg(asked_about_),
+  message_->showWords(State::Ask, tr("Cancel %1?").arg(asked_about_),
                       tr("It has been processing for more than an hour. Finished stages are saved; "
                          "the current one is lost."),
                       tr("Cancel it"));

@@ -45,22 +45,12 @@ MessagePanel::MessagePanel(const QString& name, QWidget* parent)
 }
 
 void MessagePanel::showError(const Error& error, const QString& act, const QString& key) {
-  say(error.code == ErrorCode::Cancelled ? State::Ask : State::Failed,
-      QString::fromStdString(error.where), wordsOf(error.what), act, key);
+  showWords(error.code == ErrorCode::Cancelled ? State::Ask : State::Failed,
+            QString::fromStdString(error.where), wordsOf(error.what), act, key);
 }
 
-void MessagePanel::showSuccess(const QString& headline, const QString& words, bool minded,
-                               const QString& act) {
-  say(minded ? State::Ask : State::Sure, headline, words, act, {});
-}
-
-void MessagePanel::showWords(const QString& headline, const QString& words, const QString& act,
-                             const QString& key) {
-  say(State::Failed, headline, words, act, key);
-}
-
-void MessagePanel::say(State state, const QString& headline, const QString& words,
-                       const QString& act, const QString& key) {
+void MessagePanel::showWords(State state, const QString& headline, const QString& words,
+                             const QString& act, const QString& key) {
   state_ = state;
   headline_->setText(headline);
   headline_->setVisible(!headline.isEmpty());
@@ -68,6 +58,7 @@ void MessagePanel::say(State state, const QString& headline, const QString& word
   act_->setText(act);
   act_->setKeyHint(key);
   act_->setVisible(!act.isEmpty());
+  act_->setPrimary(!beside_primary_ && state != State::Busy);
   setAccessibleName(headline.isEmpty() ? words : headline + QStringLiteral(": ") + words);
   lay();
   show();
@@ -79,6 +70,7 @@ void MessagePanel::setSecondAct(const QString& act) {
 }
 
 void MessagePanel::setBesidePrimary() {
+  beside_primary_ = true;
   act_->setPrimary(false);
 }
 
@@ -115,6 +107,7 @@ void MessagePanel::lay() {
   const int size = Look::kIcon * (compact_ ? 1 : 2);
   const QString name = state_ == State::Failed ? QStringLiteral("error")
                        : state_ == State::Sure ? QStringLiteral("check")
+                       : state_ == State::Busy ? QStringLiteral("clock")
                                                : QStringLiteral("warning");
   picture_->setPixmap(icon(name, colours.of(state_)).pixmap(size, size));
 }

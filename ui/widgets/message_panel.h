@@ -13,8 +13,9 @@ namespace ostraka::ui {
 
 class BigButton;
 
-/// What went wrong, to which thing, and one act that mends it; in place, never modal. Large enough
-/// to be read from across the room.
+/// What went wrong, to which thing, and one act that mends it, or what else a person should know;
+/// in place, never modal. Large enough to be read from across the room. Only errors look like
+/// errors.
 class MessagePanel final : public QFrame {
   Q_OBJECT
 
@@ -23,10 +24,10 @@ class MessagePanel final : public QFrame {
 
   /// act: the text of the button, with its key; empty hides the button.
   void showError(const Error& error, const QString& act = {}, const QString& key = {});
-  void showWords(const QString& headline, const QString& words, const QString& act = {},
-                 const QString& key = {});
-  /// What went well; `minded`: something of it is to be minded all the same.
-  void showSuccess(const QString& headline, const QString& words, bool minded, const QString& act);
+  /// Sure: what went well; Ask: what a person decides or minds; Busy: what goes on, and the act is
+  /// not what to do next.
+  void showWords(State state, const QString& headline, const QString& words,
+                 const QString& act = {}, const QString& key = {});
   /// A second, smaller act; empty hides it.
   void setSecondAct(const QString& act);
   /// Beside a page's own primary button: outlined.
@@ -44,8 +45,6 @@ class MessagePanel final : public QFrame {
   void changeEvent(QEvent* event) override;
 
  private:
-  void say(State state, const QString& headline, const QString& words, const QString& act,
-           const QString& key);
   void lay();
 
   QLabel* picture_;
@@ -54,7 +53,7 @@ class MessagePanel final : public QFrame {
   BigButton* act_;
   QPushButton* second_;
   State state_ = State::Failed;
-  bool compact_ = false;
+  bool compact_ = false, beside_primary_ = false;
 };
 
 /// A screen without contents says what to do first: a picture, a sentence, one button or several.

@@ -19,6 +19,7 @@
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/screen_room.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
@@ -49,7 +50,8 @@ MergeDialog::MergeDialog(MergeModel& model, QWidget* parent) : QDialog(parent), 
   buildLayout();
   connect(&model_, &MergeModel::changed, this, &MergeDialog::refresh);
   connect(this, &QDialog::rejected, &model_, &MergeModel::cancel);
-  resize(fontMetrics().averageCharWidth() * 120, fontMetrics().height() * 34);
+  resize(
+      fittedToScreen(*this, {fontMetrics().averageCharWidth() * 120, fontMetrics().height() * 34}));
   refresh();
 }
 

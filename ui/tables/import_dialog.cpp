@@ -18,6 +18,7 @@
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/screen_room.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -56,7 +57,8 @@ ImportDialog::ImportDialog(ImportModel& model, QWidget* parent) : QDialog(parent
   buildLayout();
   connect(&model_, &ImportModel::changed, this, &ImportDialog::refresh);
   connect(this, &QDialog::rejected, &model_, &ImportModel::cancel);
-  resize(fontMetrics().averageCharWidth() * 110, fontMetrics().height() * 32);
+  resize(
+      fittedToScreen(*this, {fontMetrics().averageCharWidth() * 110, fontMetrics().height() * 32}));
   refresh();
 }
 

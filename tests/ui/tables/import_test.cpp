@@ -436,6 +436,16 @@ class ImportTest : public QObject {
     QVERIFY2(!model_->canEnter(), "there is nothing more to keep");
   }
 
+  void theButtonsAreOnTheScreenWhereLettersAreLarge() {
+    applyLook(*qApp, Theme::Light, 250);
+    open();
+    auto* dialog = child<ImportDialog>("importDialog");
+    const int room = dialog->screen()->availableSize().height();
+    QVERIFY2(32 * dialog->fontMetrics().height() > room, "else it fits anyway");
+    QVERIFY2(dialog->height() < room, qPrintable(QString::number(dialog->height())));
+    applyLook(*qApp, Theme::Light, 100);
+  }
+
   void looksRightInEveryTheme() {
     const QString folder = qEnvironmentVariable("OSTRAKA_SCREENSHOTS");
     open();

@@ -71,7 +71,7 @@ QString CatalogueScreen::losesByClosing() const {
   const QStringList fields = details_->unsaved().labels();
   return fields.isEmpty()
              ? QString()
-             : tr("Not saved yet: %1. Return in the field saves it; closing again discards it.")
+             : tr("Not saved yet: %1. Enter in the field saves it; closing again discards it.")
                    .arg(fields.join(QStringLiteral(", ")));
 }
 

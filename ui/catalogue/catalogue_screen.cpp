@@ -98,8 +98,8 @@ QWidget* CatalogueScreen::buildFilterLine() {
                             .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
   export_ = new BigButton("exportThese", tr("Export these"), this);
   connect(export_, &QPushButton::clicked, this, [this] {
-    const QString rows = chosen();
-    emit wantsScreen("export", rows.startsWith("rows:") ? rows : "filter:" + filter_->text());
+    const QString some = chosen();
+    emit wantsScreen("export", some.isEmpty() ? QStringLiteral("filter:") : some);
   });
   filter_->addButton(to_import);
   filter_->addButton(export_);
@@ -194,6 +194,8 @@ QWidget* CatalogueScreen::buildRight() {
   right_->addTab(edit_, icon("edit"), tr("Details"));
   drawing_tab_ = right_->addTab(new PageArea(drawing_, right_), icon("drawing"), tr("Drawing"));
   right_->tabBar()->setAccessibleName(tr("Details or drawing"));
+  right_->setUsesScrollButtons(false);  // they would cut a tab's name rather than shorten it
+  right_->setElideMode(Qt::ElideRight);
   show_model_ = named<QToolButton>("showModel", right_);
   show_model_->setIcon(icon("model"));
   show_model_->setText(tr("Model"));
@@ -266,6 +268,9 @@ QAbstractButton* CatalogueScreen::primary() const {
 // Details and model one at a time, where both would show a line each.
 void CatalogueScreen::setCompact(bool compact) {
   if (compact != std::exchange(compact_, compact)) show_model_->setChecked(!compact);
+  // In few pixels the words say more than the pictures beside them.
+  right_->setTabIcon(0, compact ? QIcon() : icon("edit"));
+  right_->setTabIcon(drawing_tab_, compact ? QIcon() : icon("drawing"));
   followModel();
 }
 
@@ -421,16 +426,20 @@ std::vector<store::SherdRow> CatalogueScreen::selected() const {
   return sherds;
 }
 
+// One is only looked at: what is listed is meant then.
 QString CatalogueScreen::chosen() const {
   QStringList rows;
   for (const store::SherdRow row : selected()) rows << QString::number(row.value);
-  return rows.isEmpty() ? QString() : "rows:" + rows.join(',');
+  if (rows.size() > 1) return "rows:" + rows.join(',');
+  return filter_->text().isEmpty() ? QString() : "filter:" + filter_->text();
 }
 
 void CatalogueScreen::showSelection() {
   if (reloading_) return;
   const std::vector<store::SherdRow> sherds = selected();
   compare_->setEnabled(session_ != nullptr && sherds.size() == 2);
+  export_->setText(sherds.size() < 2 ? tr("Export these")
+                                     : tr("Export %n sherd(s)", nullptr, int(sherds.size())));
   if (!session_ || sherds.empty()) {
     edit_->setCurrentWidget(one_);
     details_->clear();
@@ -449,11 +458,8 @@ void CatalogueScreen::showSelection() {
 
 void CatalogueScreen::showModelOf(store::SherdRow row) {
   const auto sherd = sherds::Sherds(session_->project().catalogue()).get(row);
-  const auto whole = [&](const std::string& path) {
-    return path.empty() ? QString() : QString::fromStdString((session_->folder() / path).string());
-  };
   if (sherd)
-    model_pane_->showSherd(session_->jobs(), whole(sherd->preview_path), whole(sherd->model_path));
+    model_pane_->showSherd(session_->jobs(), session_->folder(), *sherd);
   else
     model_pane_->clear();
 }

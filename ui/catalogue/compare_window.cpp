@@ -5,7 +5,6 @@
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QScreen>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -23,6 +22,7 @@
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/screen_room.h"
 #include "ui/widgets/tool_row.h"
 #include "upkeep/project.h"
 
@@ -142,8 +142,8 @@ CompareWindow::CompareWindow(ProjectSession& session, QWidget* parent)
                              &ProjectSession::vocabulariesChanged})
     connect(&session, changed, this, &CompareWindow::refresh);
   connect(&session, &ProjectSession::batchChanged, this, &CompareWindow::refresh);
-  resize(QSize(fontMetrics().averageCharWidth() * 140, fontMetrics().height() * 42)
-             .boundedTo(screen()->availableSize()));
+  resize(
+      fittedToScreen(*this, {fontMetrics().averageCharWidth() * 140, fontMetrics().height() * 42}));
 }
 
 void CompareWindow::buildLayout() {
@@ -225,14 +225,10 @@ void CompareWindow::refresh() {
     sherds[i] = *sherd;
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    const auto whole = [&](const std::string& path) {
-      return path.empty() ? QString() : QString::fromStdString((session_.folder() / path).string());
-    };
     sides_[i].name->setText(sherdName(sherds[i]));
     sides_[i].model->setAccessibleName(
         tr("Model of %1; the arrow keys turn it").arg(sherdName(sherds[i])));
-    sides_[i].model->showSherd(session_.jobs(), whole(sherds[i].preview_path),
-                               whole(sherds[i].model_path));
+    sides_[i].model->showSherd(session_.jobs(), session_.folder(), sherds[i]);
     sayWhyNoModel(i);
   }
   showFields(sherds);

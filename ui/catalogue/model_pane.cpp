@@ -131,7 +131,13 @@ void ModelPane::clear() {
   showPicture();
 }
 
-void ModelPane::showSherd(JobRunner& jobs, const QString& picture, const QString& model) {
+void ModelPane::showSherd(JobRunner& jobs, const std::filesystem::path& project,
+                          const records::SherdRecord& sherd) {
+  const auto whole = [&](const std::string& path) {
+    return path.empty() ? QString() : QString::fromStdString((project / path).string());
+  };
+  const QString picture = whole(sherd.preview_path), model = whole(sherd.model_path);
+  has_batch_ = static_cast<bool>(sherd.batch);
   const QDateTime written = QFileInfo(model).lastModified();  // computed anew it has the same name
   if (jobs_ != nullptr && picture == picture_file_ && model == model_file_ && written == written_)
     return;
@@ -167,7 +173,9 @@ void ModelPane::fetch() {
     return;
   }
   if (model_file_.isEmpty())
-    return settle(tr("No model yet: it comes when the batch of the sherd is processed."));
+    return settle(has_batch_
+                      ? tr("No model yet: it comes when the batch of the sherd is processed.")
+                      : tr("No model: the sherd belongs to no batch of photographs."));
   const auto read = [file = model_file_.toStdString()](Progress&, std::stop_token) {
     return readForView(file);
   };

@@ -2,7 +2,9 @@
 #include <QDateTime>
 #include <QPointer>
 #include <QWidget>
+#include <filesystem>
 
+#include "records/sherd.h"
 #include "ui/jobs/job.h"
 
 class QLabel;
@@ -23,8 +25,8 @@ class ModelPane final : public QWidget {
  public:
   explicit ModelPane(QWidget* parent = nullptr);
 
-  /// Whole paths; empty where there is none.
-  void showSherd(JobRunner& jobs, const QString& picture, const QString& model);
+  void showSherd(JobRunner& jobs, const std::filesystem::path& project,
+                 const records::SherdRecord& sherd);
   void clear();
   bool showsModel() const;
   /// Null before the first model was shown.
@@ -51,8 +53,9 @@ class ModelPane final : public QWidget {
   SherdView* view();
 
   JobRunner* jobs_ = nullptr;
-  QString picture_file_, model_file_;
-  QDateTime written_;  ///< the model
+  QString picture_file_, model_file_;  ///< whole paths; empty where there is none
+  bool has_batch_ = false;             ///< that brings a model
+  QDateTime written_;                  ///< the model
   QPixmap picture_;
   QPointer<JobHandle> reading_;
   QStackedWidget* pages_ = nullptr;

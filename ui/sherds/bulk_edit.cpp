@@ -119,6 +119,11 @@ void BulkEdit::buildLayout() {
     replace_->setChecked(false);
     preview();
   });
+  connect(value_, &QLineEdit::returnPressed, this, [this] {
+    if (value_->isModified()) return;
+    value_->setModified(true);
+    preview();
+  });
   connect(value_, &QLineEdit::textEdited, this, [this] {
     replace_->setChecked(false);  // it was said of another value
     preview();
@@ -168,8 +173,9 @@ void BulkEdit::preview() {
   summary_->clear();
   if (!session_ || sherds_.empty()) return;
   if (!value_->isModified()) {
-    replace_->hide();  // an empty line deletes only when a person emptied it
-    summary_->setText(tr("Type a value to see what would change."));
+    replace_->hide();  // an empty line deletes only when a person says so
+    summary_->setText(
+        tr("Type a value to see what would change, or press Enter in the empty field to delete."));
     return;
   }
   const std::string field = field_->currentData().toString().toStdString();

@@ -74,8 +74,15 @@ class CompareWindowTest : public CatalogueWindow {
 
   void withoutAModelThePictureStaysAndSaysWhy() {
     compareRows(0, 1);
-    QTRY_VERIFY(label("firstWhy").startsWith("No model yet"));
-    QVERIFY(!part<ModelPane>("firstModel")->showsModel());
+    QTRY_COMPARE(label("firstWhy"),
+                 QString("No model: the sherd belongs to no batch of photographs."));
+    auto* pane = part<ModelPane>("firstModel");
+    QVERIFY(!pane->showsModel());
+    records::SherdRecord photographed;
+    photographed.batch = {1};
+    pane->clear();
+    pane->showSherd(sample_->session().jobs(), {}, photographed);
+    QTRY_VERIFY(pane->whyNoModel().startsWith("No model yet"));
   }
 
   void bothModelsAreTurnedByTheKeysAsOne() {

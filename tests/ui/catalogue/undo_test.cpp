@@ -79,7 +79,7 @@ class UndoTest : public CatalogueWindow {
     QCOMPARE(sample_->value(0, "context"), QString("0013"));
     QCOMPARE(sample_->value(0, "bag"), QString());
     const QString told = child<QLabel>("problem")->text();
-    QVERIFY2(child<QLabel>("problem")->isVisible() && told.contains("old context: 4.") &&
+    QVERIFY2(child<QLabel>("problem")->isVisible() && told.contains("old context (bags: 4).") &&
                  told.contains("a number of the old context: ARM1-T3-0012-0001."),
              qPrintable(told));
     sample_->session().undo().undo();
@@ -98,7 +98,7 @@ class UndoTest : public CatalogueWindow {
     QTest::keyClicks(child<QLineEdit>("bulkValue"), "0013");
     auto* summary = child<QLabel>("bulkSummary");
     QTRY_VERIFY(summary->text().startsWith("To change: 2. Unchanged: 0. Rejected: 0."));
-    QVERIFY2(summary->text().contains("old context: 4."), qPrintable(summary->text()));
+    QVERIFY2(summary->text().contains("old context (bags: 4)."), qPrintable(summary->text()));
     QTest::mouseClick(child<QPushButton>("bulkApply"), Qt::LeftButton);
     for (const int sherd : {0, 2}) {
       QCOMPARE(sample_->value(sherd, "context"), QString("0013"));

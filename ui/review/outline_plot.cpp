@@ -46,6 +46,10 @@ void OutlinePlot::clear() {
   update();
 }
 
+int OutlinePlot::readableWidth() const {
+  return 2 * 10 * fontMetrics().averageCharWidth();
+}
+
 QPen OutlinePlot::penOf(bool front) const {
   const StateColours colours(palette());
   QPen pen(colours.of(front ? State::Front : State::Back), lineWidth(*this, 1.8));

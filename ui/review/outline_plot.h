@@ -14,6 +14,7 @@ class OutlinePlot final : public QWidget {
   explicit OutlinePlot(QWidget* parent = nullptr);
   void setView(const review::PairView& view);
   void clear();
+  int readableWidth() const;  ///< in less the plots say nothing
 
  protected:
   void paintEvent(QPaintEvent* event) override;

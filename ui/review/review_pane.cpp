@@ -208,18 +208,29 @@ void ReviewPane::fitCards() {
   cards_->setFixedWidth(std::min(fontMetrics().height() * 15, window()->width() / 5));
 }
 
+// Beside the pictures the plots have a third of the room, or are away for their sake.
+void ReviewPane::fitPlot() {
+  const int room = (width() - cards_->width()) / 2;
+  plot_->setMinimumWidth(plot_->readableWidth());
+  plot_->setVisible(compared_->orientation() == Qt::Vertical || room >= 3 * plot_->readableWidth());
+}
+
 void ReviewPane::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange && cards_ != nullptr) fitCards();
+  if (event->type() != QEvent::FontChange || compared_ == nullptr) return;
+  fitCards();
+  fitPlot();
 }
 
 void ReviewPane::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   fitCards();
+  fitPlot();
 }
 
 void ReviewPane::setCompact(bool compact) {
   compared_->setOrientation(compact ? Qt::Horizontal : Qt::Vertical);
+  fitPlot();
   tools_->setCompact(compact);
   candidates_->setCompact(compact);
   reason_->setFont(scaledFont(*this, compact ? 1 : Look::kSection));

@@ -40,6 +40,7 @@ class ReviewPane final : public QWidget {
 
  private:
   void fitCards();
+  void fitPlot();
   void buildLayout();
   void buildActions();
   void buildViewActions();

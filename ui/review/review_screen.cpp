@@ -253,7 +253,7 @@ void ReviewScreen::showApplied(const fs::path& output, const intake::AppliedDeci
     compute_->setVisible(review_->batch().wantsComputing());
   else
     showBatch(batch);  // where the change is visible
-  say(appliedWords(applied));
+  say(told_ = appliedWords(applied));
   for (const Error& error : applied.errors) say(sentenceOf(error));
   for (const intake::AppliedDecision::Twice& twice : applied.twice)
     say(tr("%1 was reshot as %2 in %3 and now has two records. Void one of them in the "
@@ -289,7 +289,7 @@ QString ReviewScreen::appliedWords(const intake::AppliedDecision& applied) const
     default:
       break;
   }
-  if (!review_->batch().isOpen() || review_->waiting() > 0) return tr("Saved, with your name.");
+  if (!review_->batch().isOpen() || review_->waiting() > 0) return tr("Saved, with your initials.");
   return compute_->isHidden()
              ? tr("Saved. All pairs of %1 are decided. Next: the sherds in the catalogue.")
                    .arg(batch_)
@@ -350,6 +350,15 @@ fs::file_time_type ReviewScreen::stampOf(const QString& batch) const {
 
 void ReviewScreen::setInFront(bool in_front) {
   if (in_front && pane_) pane_->setFocus();
+  if (!in_front && message_->text() == told_) message_->clear();  // it is about what was just done
+}
+
+// Else the batch that waits for a person, where the one that is shown does not.
+void ReviewScreen::takeChosen(const QString& what) {
+  if (what.startsWith(kPlate) && what != chosen()) return PlateScreen::takeChosen(what);
+  if (review_ == nullptr || opening_ || review_->waiting() > 0 || waits_.isEmpty()) return;
+  listBatches();
+  if (const QString batch = waits_; batches_->findText(batch) >= 0) showBatch(batch);
 }
 
 // Of all batches: what is not opened yet waits as well.
@@ -359,14 +368,17 @@ int ReviewScreen::waiting() const {
 
 void ReviewScreen::countElsewhere() {
   elsewhere_ = 0;
+  waits_.clear();
   if (session_ && session_->hasProject()) {
     const catalogue::Catalogue& rows = session_->project().catalogue();
     if (const auto batches = catalogue::Batches(rows).all())
       for (const records::BatchRecord& batch : *batches) {
         const QString number = QString::fromStdString(batch.number);
         if (batch.state != records::BatchState::Review || number == batch_) continue;
-        if (const auto figures = intake::keptFigures(rows, batch.number))
-          elsewhere_ += figures->ask;
+        const auto figures = intake::keptFigures(rows, batch.number);
+        if (!figures || figures->ask == 0) continue;
+        elsewhere_ += figures->ask;
+        waits_ = number;  // the newest
       }
   }
   emit waitingChanged();

@@ -30,6 +30,7 @@ class ReviewScreen final : public PlateScreen {
   int waiting() const override;
   QString waitingText() const override;
   void setInFront(bool in_front) override;
+  void takeChosen(const QString& what) override;
   QAbstractButton* primary() const override;
   void setCompact(bool compact) override;
 
@@ -57,6 +58,7 @@ class ReviewScreen final : public PlateScreen {
   void showScale();
 
   QString asked_;  ///< the sentence that asks for initials
+  QString told_;   ///< what the last decision did
   QLineEdit* person_ = nullptr;
   QPushButton* compute_ = nullptr;
   QFrame* scale_ = nullptr;  ///< what holds the batch, besides its pairs
@@ -68,6 +70,7 @@ class ReviewScreen final : public PlateScreen {
   QPointer<JobHandle> opening_;
   std::filesystem::file_time_type stamp_;  ///< of the results that are shown
   int elsewhere_ = 0;                      ///< what waits in batches that are not shown
+  QString waits_;                          ///< one of these batches
 };
 
 }  // namespace ostraka::ui

@@ -4,6 +4,8 @@
 #include <QBuffer>
 #include <QImage>
 #include <QLabel>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTranslator>
 
 #include "../wizard/fake_rig.h"
@@ -164,10 +166,10 @@ class SmallWindowTest : public QObject {
     }
   }
 
-  void theReviewShowsPhotographsModelOutlinesAndTools() {
+  void theReviewShowsPhotographsModelAndTools() {
     open();
     window_->showScreenNamed(QStringLiteral("review"), {});
-    for (const char* part : {"sherd", "pictures", "outlines"}) {
+    for (const char* part : {"sherd", "pictures"}) {
       QWidget* shown = named<QWidget>(*window_, part);
       QTRY_VERIFY2(shown->height() >= kSmall.height() / 4 && isInSight(shown), part);
     }
@@ -177,6 +179,19 @@ class SmallWindowTest : public QObject {
     QVERIFY(isInSight(tools->findChild<QWidget*>(QStringLiteral("moreTools"))));  // and the others
   }
 
+  void thePlotsOfTheReviewAreAwayWhereTheyCouldNotBeRead() {
+    open();
+    window_->showScreenNamed(QStringLiteral("review"), {});
+    const QWidget* plots = named<QWidget>(*window_, "outlines");
+    QTRY_VERIFY(named<QWidget>(*window_, "pictures")->isVisible());
+    QTRY_VERIFY(!plots->isVisible());
+    window_->resize(1800, 480);
+    QTRY_VERIFY(plots->isVisible());
+    QTRY_VERIFY(plots->width() >= 20 * plots->fontMetrics().averageCharWidth());
+    window_->resize(853, 700);  // below the pictures there is room
+    QTRY_VERIFY(plots->isVisible());
+  }
+
   void theCatalogueShowsDetailsOrTheModel() {
     open();
     window_->showScreenNamed(QStringLiteral("catalogue"), {});
@@ -184,6 +199,8 @@ class SmallWindowTest : public QObject {
     QTRY_VERIFY(details->isVisible() && details->height() >= kSmall.height() / 3);
     auto* toggle = named<QAbstractButton>(*window_, "showModel");
     QTRY_VERIFY(toggle->isVisible());
+    const auto* tabs = named<QTabWidget>(*window_, "right")->tabBar();
+    QVERIFY(!tabs->usesScrollButtons() && tabs->tabIcon(1).isNull());
     QTest::mouseClick(toggle, Qt::LeftButton);
     QTRY_VERIFY(!details->isVisible() && named<QWidget>(*window_, "model")->isVisible());
     window_->resize(1280, 720);

@@ -27,6 +27,7 @@ class TwoBatchesTest : public ReviewWindow {
   void aBatchThatDoesNotOpenLeavesNoPairsToDecideOn();
   void nothingWaitsWhereTheProjectIsClosed();
   void aBatchThatIsBeingComputedIsNotOpened();
+  void theBatchThatWaitsIsShownWhereTheOtherOneDoesNot();
   void aDecisionOnAnotherBatchIsTakenBackThere();
   void twoBatchesTakenBackAtOnceBothWantAPersonAgain();
   void enterInTheListOfBatchesOnlyChooses();
@@ -117,6 +118,30 @@ void TwoBatchesTest::aBatchThatIsBeingComputedIsNotOpened() {
   QVERIFY(writeFileAtomically(report, bytes));
   session_->tellBatchChanged("B0002");
   QTRY_COMPARE(shown(), QStringLiteral("B0002"));
+}
+
+// Who comes to the screen comes for what waits.
+void TwoBatchesTest::theBatchThatWaitsIsShownWhereTheOtherOneDoesNot() {
+  open(4, true);
+  addBatch("B0002");
+  intake::BatchFigures figures;
+  figures.sherds = 4;
+  figures.ask = 1;
+  QVERIFY(intake::keepFigures(session_->project().catalogue(), "B0002", figures).has_value());
+  session_->tellBatchChanged("B0002");
+  QVERIFY(review()->waiting() > 0);
+  screen_->takeChosen({});
+  QCOMPARE(shown(), QStringLiteral("B0001"));  // it waits as well
+  for (int waiting = review()->waiting(); waiting > 0; waiting = review()->waiting()) {
+    key(Qt::Key_Return);
+    QTRY_VERIFY(review()->waiting() < waiting);
+  }
+  auto* message = screen_->findChild<QLabel*>("message");
+  QTRY_VERIFY(message->text().startsWith("Saved."));
+  screen_->setInFront(false);
+  QVERIFY(message->text().isEmpty());
+  screen_->takeChosen({});
+  QTRY_VERIFY2(shown() == QStringLiteral("B0002"), qPrintable(message->text()));
 }
 
 void TwoBatchesTest::aDecisionOnAnotherBatchIsTakenBackThere() {

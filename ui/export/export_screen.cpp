@@ -179,10 +179,7 @@ void ExportScreen::buildLayout() {
   connect(start_, &QPushButton::clicked, &model_, &ExportModel::start);
   stop_ = addPageAct(this, "exportStop", "cancel", tr("Stop the export"), Qt::Key_Escape, &model_,
                      &ExportModel::cancel);
-  connect(open_, &QPushButton::clicked, this, [this] {
-    if (const QString why_not = openOutside(model_.target()); !why_not.isEmpty())
-      emit said(why_not);
-  });
+  connect(open_, &QPushButton::clicked, this, [this] { emit said(openOutside(model_.target())); });
   auto* choices = new QWidget(this);
   auto* upper = new SideBySide(choices);
   upper->add(buildWhat(), 1);

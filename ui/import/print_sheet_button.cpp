@@ -37,9 +37,8 @@ PrintSheetButton::PrintSheetButton(const QString& name, QWidget* parent)
       std::error_code ignored;
       std::filesystem::last_write_time(std::filesystem::path(pdf.toStdString()).parent_path(),
                                        std::filesystem::file_time_type::clock::now(), ignored);
-      const QString why_not = openOutside(pdf);
       emit printed(
-          why_not.isEmpty() ? pdf : why_not,
+          openOutside(pdf),
           tr("Print it at 100 %, not fitted to the page, and measure the bar of the second "
              "page: it must be %1 mm long. The next import proposes this sheet. If the bar is not "
              "%1 mm long, choose Clear sheet there and type the measured side of a black square.")

@@ -387,9 +387,7 @@ void QueueScreen::openReport() {
                       .arg(selected()));
         return;
       }
-      if (const QString why_not = openOutside(QString::fromStdString((results / file).string()));
-          !why_not.isEmpty())
-        emit said(why_not);
+      emit said(openOutside(QString::fromStdString((results / file).string())));
       return;
     }
   emit said(tr("%1 has no report yet.").arg(selected()));

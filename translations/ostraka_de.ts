@@ -876,14 +876,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>jetzt %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n Scherbe verlässt ihren Beutel, der im alten Befund bleibt: %1.</numerusform>
-            <numerusform>%n Scherben verlassen ihre Beutel, die im alten Befund bleiben: %1.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>front %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1144,6 +1136,30 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur %1 der Brüche berühren sich.</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe verlässt ihren Beutel, der im alten Befund bleibt (Beutel: %1).</numerusform>
+        <numerusform>%n Scherben verlassen ihre Beutel, die im alten Befund bleiben (Beutel: %1).</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe</numerusform>
+        <numerusform>%n Scherben</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe behält eine Nummer des alten Befunds: %1.</numerusform>
+        <numerusform>%n Scherben behalten eine Nummer des alten Befunds: %1.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1389,14 +1405,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Wird abgebrochen…</translation>
     </message>
-    <message numerus="yes">
-        <source>about %n minute(s) of one core in all</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>
-            <numerusform>insgesamt etwa eine Minute eines Kerns</numerusform>
-            <numerusform>insgesamt etwa %n Minuten eines Kerns</numerusform>
-        </translation>
-    </message>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1476,11 +1484,6 @@
         <numerusform>%n Scherben gewählt</numerusform>
       </translation>
     </message>
-    <message>
-      <source>Type a value to see what would change.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Geben Sie einen Wert ein, um zu sehen, was sich ändern würde.</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1531,6 +1534,11 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vergleichen</translation>
+    </message>
+    <message>
+      <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einen Wert eingeben, um zu sehen, was sich ändern würde, oder im leeren Feld Enter drücken, um zu löschen.</translation>
     </message>
 </context>
 <context>
@@ -2112,11 +2120,6 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
-    <message>
-      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Noch nicht gespeichert: %1. Die Eingabetaste im Feld speichert; erneutes Schließen verwirft.</translation>
-    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2284,6 +2287,19 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vergleichen</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch nicht gespeichert: %1. Die Enter-Taste im Feld speichert; erneutes Schließen verwirft.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Export %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe exportieren</numerusform>
+        <numerusform>%n Scherben exportieren</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -3479,6 +3495,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Bildschirm hat kein OpenGL 3.2; das Modell lässt sich nicht drehen.</translation>
     </message>
+    <message>
+      <source>No model: the sherd belongs to no batch of photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Modell: Die Scherbe gehört zu keinem Durchgang mit Fotos.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -3756,11 +3777,6 @@
       <translation>Fundort, Schnitt, Befund und Beutel</translation>
     </message>
     <message>
-      <source>write site-trench-context-bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fundort-Schnitt-Befund-Beutel schreiben</translation>
-    </message>
-    <message>
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Neu: %1</translation>
@@ -3771,9 +3787,14 @@
       <translation>Etikett scannen, oder %1-T3-0012-4</translation>
     </message>
     <message>
-      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <source>Write the bag as site-trench-context-bag.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Beutel: Die Scherben bekommen keine Nummern, bis der Katalog ihnen einen Befund gibt.</translation>
+      <translation>Den Beutel als Fundort-Schnitt-Befund-Beutel schreiben.</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds can be numbered once the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Beutel: Die Scherben können nummeriert werden, sobald der Katalog ihnen einen Befund gibt.</translation>
     </message>
 </context>
 <context>
@@ -4177,11 +4198,6 @@
       <translation>Ihr Kürzel</translation>
     </message>
     <message>
-      <source>Saved, with your name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gespeichert, mit Ihrem Namen.</translation>
-    </message>
-    <message>
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Prüfung</translation>
@@ -4278,6 +4294,11 @@
       <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gespeichert. Alle Paare von %1 sind entschieden. Als Nächstes: die geänderten Modelle aktualisieren.</translation>
+    </message>
+    <message>
+      <source>Saved, with your initials.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert, mit Ihrem Kürzel.</translation>
     </message>
 </context>
 <context>
@@ -4728,11 +4749,6 @@
       <translation>%1; zweifelhaft</translation>
     </message>
     <message>
-      <source>Not saved yet: %1. Return in the field saves it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Noch nicht gespeichert: %1. Die Eingabetaste im Feld speichert es.</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 ist die laufende Nummer im Befund der Scherbe; =7 ist die Nummer 7 selbst.</translation>
@@ -4796,6 +4812,11 @@
       <source>scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Maßstab</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch nicht gespeichert: %1. Die Enter-Taste im Feld speichert es.</translation>
     </message>
 </context>
 <context>
@@ -11237,6 +11258,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es wurde kein Programm gefunden, das %1 öffnet. Die Datei ist da: Öffnen Sie sie von Hand.</translation>
     </message>
+    <message>
+      <source>Opening %1. If it does not appear, open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wird geöffnet. Erscheint es nicht, von Hand öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MarkerSide</name>
@@ -11341,11 +11367,6 @@
       <translation>Von der danach fotografierten Seite.</translation>
     </message>
     <message>
-      <source>Rough.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Grob.</translation>
-    </message>
-    <message>
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gemessen.</translation>
@@ -11354,6 +11375,11 @@
       <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Farben vorgeschlagen: Das Modell hat keine Textur aus Fotos oder stammt von einer früheren Version des Programms. Verarbeiten Sie seinen Durchgang neu, um Vorschläge zu erhalten.</translation>
+    </message>
+    <message>
+      <source>Rough estimate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Grobe Schätzung.</translation>
     </message>
 </context>
 <context>

@@ -876,14 +876,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>τώρα %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n όστρακο αφήνει τη σακούλα του, που μένει στο παλιό πλαίσιο: %1.</numerusform>
-            <numerusform>%n όστρακα αφήνουν τις σακούλες τους, που μένουν στο παλιό πλαίσιο: %1.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>front %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1144,6 +1136,30 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ακουμπά μόνο το %1 των θραύσεων.</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο αφήνει τη σακούλα του, που μένει στο παλιό πλαίσιο (σακούλες: %1).</numerusform>
+        <numerusform>%n όστρακα αφήνουν τις σακούλες τους, που μένουν στο παλιό πλαίσιο (σακούλες: %1).</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο</numerusform>
+        <numerusform>%n όστρακα</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο κρατά αριθμό του παλιού πλαισίου: %1.</numerusform>
+        <numerusform>%n όστρακα κρατούν αριθμό του παλιού πλαισίου: %1.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1389,14 +1405,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Διακόπτεται…</translation>
     </message>
-    <message numerus="yes">
-        <source>about %n minute(s) of one core in all</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>
-            <numerusform>συνολικά περίπου %n λεπτό ενός πυρήνα</numerusform>
-            <numerusform>συνολικά περίπου %n λεπτά ενός πυρήνα</numerusform>
-        </translation>
-    </message>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1476,11 +1484,6 @@
         <numerusform>%n όστρακα επιλέχθηκαν</numerusform>
       </translation>
     </message>
-    <message>
-      <source>Type a value to see what would change.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Γράψτε μια τιμή για να δείτε τι θα άλλαζε.</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1531,6 +1534,11 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σύγκριση</translation>
+    </message>
+    <message>
+      <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πληκτρολογήστε μια τιμή για να δείτε τι θα άλλαζε ή πατήστε Enter στο κενό πεδίο για διαγραφή.</translation>
     </message>
 </context>
 <context>
@@ -2112,11 +2120,6 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
-    <message>
-      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν έχει αποθηκευτεί ακόμη: %1. Το Enter στο πεδίο αποθηκεύει· νέο κλείσιμο απορρίπτει.</translation>
-    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2284,6 +2287,19 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σύγκριση</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν έχει αποθηκευτεί ακόμη: %1. Το Enter στο πεδίο αποθηκεύει· νέο κλείσιμο απορρίπτει.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Export %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Εξαγωγή %n οστράκου</numerusform>
+        <numerusform>Εξαγωγή %n οστράκων</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -3479,6 +3495,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η οθόνη δεν έχει OpenGL 3.2, οπότε το μοντέλο δεν περιστρέφεται.</translation>
     </message>
+    <message>
+      <source>No model: the sherd belongs to no batch of photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωρίς μοντέλο: το όστρακο δεν ανήκει σε καμία παρτίδα φωτογραφιών.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -3756,11 +3777,6 @@
       <translation>Θέση, τομή, πλαίσιο και σακούλα</translation>
     </message>
     <message>
-      <source>write site-trench-context-bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>θέση-τομή-πλαίσιο-σακούλα, παρακαλώ</translation>
-    </message>
-    <message>
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Νέα: %1</translation>
@@ -3771,9 +3787,14 @@
       <translation>σαρώστε την ετικέτα, ή %1-T3-0012-4</translation>
     </message>
     <message>
-      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <source>Write the bag as site-trench-context-bag.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Χωρίς σακούλα: τα όστρακα δεν παίρνουν αριθμούς ώσπου να τους δοθεί πλαίσιο στον κατάλογο.</translation>
+      <translation>Γράψτε τη σακούλα ως θέση-τομή-πλαίσιο-σακούλα.</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds can be numbered once the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωρίς σακούλα: τα όστρακα μπορούν να αριθμηθούν όταν ο κατάλογος τους δώσει πλαίσιο.</translation>
     </message>
 </context>
 <context>
@@ -4177,11 +4198,6 @@
       <translation>Τα αρχικά σας</translation>
     </message>
     <message>
-      <source>Saved, with your name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθηκεύτηκε, με το όνομά σας.</translation>
-    </message>
-    <message>
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Έλεγχος</translation>
@@ -4278,6 +4294,11 @@
       <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε. Όλα τα ζεύγη της %1 έχουν αποφασιστεί. Επόμενο: ενημέρωση των μοντέλων που άλλαξαν.</translation>
+    </message>
+    <message>
+      <source>Saved, with your initials.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε, με τα αρχικά σας.</translation>
     </message>
 </context>
 <context>
@@ -4728,11 +4749,6 @@
       <translation>%1· αμφίβολο</translation>
     </message>
     <message>
-      <source>Not saved yet: %1. Return in the field saves it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν αποθηκεύτηκε ακόμη: %1. Το Enter στο πεδίο το αποθηκεύει.</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 είναι ο αύξων αριθμός στο πλαίσιο του οστράκου· =7 είναι ο ίδιος ο αριθμός 7.</translation>
@@ -4796,6 +4812,11 @@
       <source>scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>κλίμακα</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν αποθηκεύτηκε ακόμη: %1. Το Enter στο πεδίο το αποθηκεύει.</translation>
     </message>
 </context>
 <context>
@@ -11237,6 +11258,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν βρέθηκε πρόγραμμα που να ανοίγει το %1. Υπάρχει: ανοίξτε το με το χέρι.</translation>
     </message>
+    <message>
+      <source>Opening %1. If it does not appear, open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άνοιγμα του %1. Αν δεν εμφανιστεί, ανοίξτε το με το χέρι.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MarkerSide</name>
@@ -11341,11 +11367,6 @@
       <translation>Της όψης που φωτογραφήθηκε δεύτερη.</translation>
     </message>
     <message>
-      <source>Rough.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κατά προσέγγιση.</translation>
-    </message>
-    <message>
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρημένο.</translation>
@@ -11354,6 +11375,11 @@
       <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν προτείνονται χρώματα: το μοντέλο δεν έχει υφή από φωτογραφίες ή το έφτιαξε παλαιότερη έκδοση του προγράμματος. Επεξεργαστείτε ξανά την παρτίδα του για προτάσεις.</translation>
+    </message>
+    <message>
+      <source>Rough estimate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρόχειρη εκτίμηση.</translation>
     </message>
 </context>
 <context>

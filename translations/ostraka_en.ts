@@ -62,13 +62,6 @@
             <numerusform>%1; %n to reshoot</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>about %n minute(s) of one core in all</source>
-        <translation>
-            <numerusform>about %n minute of one core in all</numerusform>
-            <numerusform>about %n minutes of one core in all</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::BulkEdit</name>
@@ -149,6 +142,13 @@
       <translation>
         <numerusform>change %1 of %n sherd</numerusform>
         <numerusform>change %1 of %n sherds</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>Export %n sherd(s)</source>
+      <translation>
+        <numerusform>Export %n sherd</numerusform>
+        <numerusform>Export %n sherds</numerusform>
       </translation>
     </message>
 </context>
@@ -370,10 +370,24 @@
       </translation>
     </message>
     <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
+      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
       <translation>
-        <numerusform>%n sherd leaves its bag, which stays in the old context: %1.</numerusform>
-        <numerusform>%n sherds leave their bags, which stay in the old context: %1.</numerusform>
+        <numerusform>%n sherd leaves its bag, which stays in the old context (bag: %1).</numerusform>
+        <numerusform>%n sherds leave their bags, which stay in the old context (bags: %1).</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translation>
+        <numerusform>%n sherd</numerusform>
+        <numerusform>%n sherds</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translation>
+        <numerusform>%n sherd keeps a number of the old context: %1.</numerusform>
+        <numerusform>%n sherds keep a number of the old context: %1.</numerusform>
       </translation>
     </message>
 </context>

@@ -876,14 +876,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ahora %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n fragmento deja su bolsa, que se queda en el contexto antiguo: %1.</numerusform>
-            <numerusform>%n fragmentos dejan sus bolsas, que se quedan en el contexto antiguo: %1.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>front %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1144,6 +1136,30 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo el %1 de las fracturas se toca.</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento deja su bolsa, que se queda en el contexto antiguo (bolsas: %1).</numerusform>
+        <numerusform>%n fragmentos dejan sus bolsas, que se quedan en el contexto antiguo (bolsas: %1).</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento</numerusform>
+        <numerusform>%n fragmentos</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento conserva un número del contexto antiguo: %1.</numerusform>
+        <numerusform>%n fragmentos conservan un número del contexto antiguo: %1.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1389,14 +1405,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Deteniéndose…</translation>
     </message>
-    <message numerus="yes">
-        <source>about %n minute(s) of one core in all</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>
-            <numerusform>en total, alrededor de %n minuto de un núcleo</numerusform>
-            <numerusform>en total, unos %n minutos de un núcleo</numerusform>
-        </translation>
-    </message>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1476,11 +1484,6 @@
         <numerusform>%n fragmentos elegidos</numerusform>
       </translation>
     </message>
-    <message>
-      <source>Type a value to see what would change.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Escriba un valor para ver lo que cambiaría.</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1531,6 +1534,11 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comparar</translation>
+    </message>
+    <message>
+      <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escriba un valor para ver qué cambiaría, o pulse Intro en el campo vacío para borrar.</translation>
     </message>
 </context>
 <context>
@@ -2112,11 +2120,6 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
-    <message>
-      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aún sin guardar: %1. Intro en el campo guarda; cerrar otra vez descarta.</translation>
-    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2284,6 +2287,19 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comparar</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aún sin guardar: %1. Intro en el campo guarda; cerrar otra vez descarta.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Export %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Exportar %n fragmento</numerusform>
+        <numerusform>Exportar %n fragmentos</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -3479,6 +3495,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esta pantalla no tiene OpenGL 3.2; el modelo no se puede girar.</translation>
     </message>
+    <message>
+      <source>No model: the sherd belongs to no batch of photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay modelo: el fragmento no pertenece a ninguna tanda de fotografías.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -3756,11 +3777,6 @@
       <translation>Yacimiento, corte, contexto y bolsa</translation>
     </message>
     <message>
-      <source>write site-trench-context-bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>escriba yacimiento-corte-contexto-bolsa</translation>
-    </message>
-    <message>
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nuevo: %1</translation>
@@ -3771,9 +3787,14 @@
       <translation>escanee su etiqueta, o %1-T3-0012-4</translation>
     </message>
     <message>
-      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <source>Write the bag as site-trench-context-bag.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sin bolsa: los fragmentos no reciben números hasta que el catálogo les dé un contexto.</translation>
+      <translation>Escriba la bolsa como yacimiento-corte-contexto-bolsa.</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds can be numbered once the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sin bolsa: los fragmentos se podrán numerar cuando el catálogo les dé un contexto.</translation>
     </message>
 </context>
 <context>
@@ -4177,11 +4198,6 @@
       <translation>Sus iniciales</translation>
     </message>
     <message>
-      <source>Saved, with your name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardado, con su nombre.</translation>
-    </message>
-    <message>
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Revisión</translation>
@@ -4278,6 +4294,11 @@
       <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado. Todos los pares de %1 están decididos. Lo siguiente: actualizar los modelos cambiados.</translation>
+    </message>
+    <message>
+      <source>Saved, with your initials.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado, con sus iniciales.</translation>
     </message>
 </context>
 <context>
@@ -4728,11 +4749,6 @@
       <translation>%1; dudoso</translation>
     </message>
     <message>
-      <source>Not saved yet: %1. Return in the field saves it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aún no guardado: %1. Intro en el campo lo guarda.</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 es el número correlativo en el contexto del fragmento; =7 es el propio número 7.</translation>
@@ -4796,6 +4812,11 @@
       <source>scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>escala</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aún no guardado: %1. Intro en el campo lo guarda.</translation>
     </message>
 </context>
 <context>
@@ -11237,6 +11258,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se encontró ningún programa que abra %1. Está ahí: ábralo a mano.</translation>
     </message>
+    <message>
+      <source>Opening %1. If it does not appear, open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abriendo %1. Si no aparece, ábralo a mano.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MarkerSide</name>
@@ -11341,11 +11367,6 @@
       <translation>Del lado fotografiado después.</translation>
     </message>
     <message>
-      <source>Rough.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aproximado.</translation>
-    </message>
-    <message>
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Medido.</translation>
@@ -11354,6 +11375,11 @@
       <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se proponen colores: el modelo no tiene textura de fotografías o lo hizo una versión anterior del programa. Reprocese su tanda para obtener propuestas.</translation>
+    </message>
+    <message>
+      <source>Rough estimate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estimación aproximada.</translation>
     </message>
 </context>
 <context>

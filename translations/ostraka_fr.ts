@@ -876,14 +876,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maintenant %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n tesson quitte son sac, qui reste dans l&apos;ancien contexte : %1.</numerusform>
-            <numerusform>%n tessons quittent leurs sacs, qui restent dans l&apos;ancien contexte : %1.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>front %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1144,6 +1136,30 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seulement %1 des cassures se touchent.</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson quitte son sac, qui reste dans l&apos;ancien contexte (sacs : %1).</numerusform>
+        <numerusform>%n tessons quittent leurs sacs, qui restent dans l&apos;ancien contexte (sacs : %1).</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson</numerusform>
+        <numerusform>%n tessons</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tesson garde un numéro de l&apos;ancien contexte : %1.</numerusform>
+        <numerusform>%n tessons gardent un numéro de l&apos;ancien contexte : %1.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1389,14 +1405,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Arrêt en cours…</translation>
     </message>
-    <message numerus="yes">
-        <source>about %n minute(s) of one core in all</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>
-            <numerusform>environ %n minute d’un cœur en tout</numerusform>
-            <numerusform>environ %n minutes d’un cœur en tout</numerusform>
-        </translation>
-    </message>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1476,11 +1484,6 @@
         <numerusform>%n tessons choisis</numerusform>
       </translation>
     </message>
-    <message>
-      <source>Type a value to see what would change.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entrez une valeur pour voir ce qui changerait.</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1531,6 +1534,11 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comparer</translation>
+    </message>
+    <message>
+      <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Saisissez une valeur pour voir ce qui changerait, ou appuyez sur Entrée dans le champ vide pour effacer.</translation>
     </message>
 </context>
 <context>
@@ -2112,11 +2120,6 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
-    <message>
-      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Pas encore enregistré : %1. La touche Entrée dans le champ enregistre ; fermer encore une fois abandonne.</translation>
-    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2284,6 +2287,19 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comparer</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas encore enregistré : %1. La touche Entrée dans le champ enregistre ; fermer encore une fois abandonne.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Export %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Exporter %n tesson</numerusform>
+        <numerusform>Exporter %n tessons</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -3479,6 +3495,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cet écran n’a pas OpenGL 3.2 : le modèle ne peut pas être tourné.</translation>
     </message>
+    <message>
+      <source>No model: the sherd belongs to no batch of photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas de modèle : le tesson n&apos;appartient à aucun lot de photographies.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -3756,11 +3777,6 @@
       <translation>Site, tranchée, contexte et sac</translation>
     </message>
     <message>
-      <source>write site-trench-context-bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>écrivez site-tranchée-contexte-sac</translation>
-    </message>
-    <message>
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nouveau : %1</translation>
@@ -3771,9 +3787,14 @@
       <translation>scanner son étiquette, ou %1-T3-0012-4</translation>
     </message>
     <message>
-      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <source>Write the bag as site-trench-context-bag.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Pas de sac : les tessons n&apos;ont pas de numéro tant que le catalogue ne leur donne pas de contexte.</translation>
+      <translation>Écrivez le sac sous la forme site-tranchée-contexte-sac.</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds can be numbered once the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas de sac : les tessons pourront être numérotés une fois que le catalogue leur donne un contexte.</translation>
     </message>
 </context>
 <context>
@@ -4177,11 +4198,6 @@
       <translation>Vos initiales</translation>
     </message>
     <message>
-      <source>Saved, with your name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistré, avec votre nom.</translation>
-    </message>
-    <message>
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Examen</translation>
@@ -4278,6 +4294,11 @@
       <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré. Toutes les paires de %1 sont décidées. Ensuite : mettre à jour les modèles modifiés.</translation>
+    </message>
+    <message>
+      <source>Saved, with your initials.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré, avec vos initiales.</translation>
     </message>
 </context>
 <context>
@@ -4728,11 +4749,6 @@
       <translation>%1 ; douteux</translation>
     </message>
     <message>
-      <source>Not saved yet: %1. Return in the field saves it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Pas encore enregistré : %1. Entrée dans le champ l'enregistre.</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7 est le numéro d&apos;ordre dans le contexte du tesson ; =7 est le numéro 7 lui-même.</translation>
@@ -4796,6 +4812,11 @@
       <source>scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>échelle</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas encore enregistré : %1. Entrée dans le champ l&apos;enregistre.</translation>
     </message>
 </context>
 <context>
@@ -11237,6 +11258,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun programme trouvé pour ouvrir %1. Le fichier est là : ouvrez-le à la main.</translation>
     </message>
+    <message>
+      <source>Opening %1. If it does not appear, open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ouverture de %1. S&apos;il n&apos;apparaît pas, ouvrez-le à la main.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MarkerSide</name>
@@ -11341,11 +11367,6 @@
       <translation>De la face photographiée en second.</translation>
     </message>
     <message>
-      <source>Rough.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Approximatif.</translation>
-    </message>
-    <message>
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mesuré.</translation>
@@ -11354,6 +11375,11 @@
       <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune couleur proposée : le modèle n’a pas de texture issue de photos, ou une version antérieure du programme l’a produit. Retraitez son lot pour obtenir des propositions.</translation>
+    </message>
+    <message>
+      <source>Rough estimate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estimation grossière.</translation>
     </message>
 </context>
 <context>

@@ -876,14 +876,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>այժմ %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n բեկոր թողնում է իր տոպրակը, որը մնում է հին համատեքստում. %1։</numerusform>
-            <numerusform>%n բեկոր թողնում են իրենց տոպրակները, որոնք մնում են հին համատեքստում. %1։</numerusform>
-        </translation>
-    </message>
     <message>
         <source>front %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1144,6 +1136,30 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոտրվածքների միայն %1-ն է հպվում։</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր թողնում է իր տոպրակը, որը մնում է հին համատեքստում (տոպրակներ՝ %1)։</numerusform>
+        <numerusform>%n բեկոր թողնում են իրենց տոպրակները, որոնք մնում են հին համատեքստում (տոպրակներ՝ %1)։</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր</numerusform>
+        <numerusform>%n բեկոր</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկորը պահպանում է հին համատեքստի համարը՝ %1։</numerusform>
+        <numerusform>%n բեկորները պահպանում են հին համատեքստի համարը՝ %1։</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1389,14 +1405,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Կանգնեցվում է…</translation>
     </message>
-    <message numerus="yes">
-        <source>about %n minute(s) of one core in all</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>
-            <numerusform>ընդամենը մեկ միջուկի մոտ %n րոպե</numerusform>
-            <numerusform>ընդամենը մեկ միջուկի մոտ %n րոպե</numerusform>
-        </translation>
-    </message>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1476,11 +1484,6 @@
         <numerusform>Ընտրված է %n բեկոր</numerusform>
       </translation>
     </message>
-    <message>
-      <source>Type a value to see what would change.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Գրեք արժեք՝ տեսնելու, թե ինչ կփոխվի։</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1531,6 +1534,11 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համեմատել</translation>
+    </message>
+    <message>
+      <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մուտքագրեք արժեք՝ տեսնելու, թե ինչ կփոխվի, կամ դատարկ դաշտում սեղմեք Enter՝ ջնջելու համար։</translation>
     </message>
 </context>
 <context>
@@ -2112,11 +2120,6 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
-    <message>
-      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դեռ պահված չէ՝ %1։ Դաշտում Enter-ը պահում է, նորից փակելը՝ չեղարկում։</translation>
-    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2284,6 +2287,19 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համեմատել</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեռ պահված չէ՝ %1։ Դաշտում Enter-ը պահում է, նորից փակելը՝ չեղարկում։</translation>
+    </message>
+    <message numerus="yes">
+      <source>Export %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Արտահանել %n բեկոր</numerusform>
+        <numerusform>Արտահանել %n բեկոր</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -3479,6 +3495,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս էկրանը OpenGL 3.2 չունի, ուստի մոդելը պտտել հնարավոր չէ։</translation>
     </message>
+    <message>
+      <source>No model: the sherd belongs to no batch of photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդել չկա. բեկորը լուսանկարների ոչ մի խմբաքանակի չի պատկանում։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -3756,11 +3777,6 @@
       <translation>Հուշարձան, խրամատ, համատեքստ և տոպրակ</translation>
     </message>
     <message>
-      <source>write site-trench-context-bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>խնդրում ենք՝ հուշարձան-խրամատ-համատեքստ-տոպրակ</translation>
-    </message>
-    <message>
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նոր՝ %1</translation>
@@ -3771,9 +3787,14 @@
       <translation>սկանավորեք պիտակը կամ %1-T3-0012-4</translation>
     </message>
     <message>
-      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <source>Write the bag as site-trench-context-bag.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տոպրակ չկա. բեկորները համար չեն ստանում, մինչև կատալոգը դրանց համատեքստ չտա։</translation>
+      <translation>Գրեք տոպրակը այսպես՝ հուշարձան-խրամատ-համատեքստ-տոպրակ։</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds can be numbered once the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տոպրակ չկա. բեկորները կարելի է համարակալել, երբ կատալոգը նրանց համատեքստ տա։</translation>
     </message>
 </context>
 <context>
@@ -4177,11 +4198,6 @@
       <translation>Ձեր սկզբնատառերը</translation>
     </message>
     <message>
-      <source>Saved, with your name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պահված է ձեր անունով։</translation>
-    </message>
-    <message>
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ստուգում</translation>
@@ -4278,6 +4294,11 @@
       <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահպանված է։ %1-ի բոլոր զույգերը որոշված են։ Հաջորդը՝ թարմացնել փոփոխված մոդելները։</translation>
+    </message>
+    <message>
+      <source>Saved, with your initials.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահպանված է ձեր սկզբնատառերով։</translation>
     </message>
 </context>
 <context>
@@ -4728,11 +4749,6 @@
       <translation>%1. կասկածելի է</translation>
     </message>
     <message>
-      <source>Not saved yet: %1. Return in the field saves it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դեռ պահված չէ՝ %1։ Դաշտում Enter-ը պահում է։</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7-ը հերթական համարն է բեկորի համատեքստում. =7-ը հենց 7 համարն է։</translation>
@@ -4796,6 +4812,11 @@
       <source>scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>մասշտաբ</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեռ պահված չէ՝ %1։ Դաշտում Enter-ը պահում է։</translation>
     </message>
 </context>
 <context>
@@ -11237,6 +11258,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը բացող ծրագիր չգտնվեց։ Այն տեղում է. բացեք ձեռքով։</translation>
     </message>
+    <message>
+      <source>Opening %1. If it does not appear, open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բացվում է %1։ Եթե չերևա, բացեք ձեռքով։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MarkerSide</name>
@@ -11341,11 +11367,6 @@
       <translation>Երկրորդը լուսանկարված կողմի։</translation>
     </message>
     <message>
-      <source>Rough.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մոտավոր։</translation>
-    </message>
-    <message>
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չափված։</translation>
@@ -11354,6 +11375,11 @@
       <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գույներ չեն առաջարկվում. մոդելը լուսանկարներից հյուսվածք չունի, կամ այն ստեղծել է ծրագրի ավելի վաղ տարբերակը։ Առաջարկներ ստանալու համար վերամշակեք դրա խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>Rough estimate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոտավոր գնահատական։</translation>
     </message>
 </context>
 <context>

@@ -873,13 +873,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>şimdi %1</translation>
     </message>
-    <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context: %1.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-            <numerusform>%n parça, eski kontekstte kalan torbasından ayrılıyor: %1.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>front %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1140,6 +1133,27 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kırıkların yalnızca %1 kadarı birbirine değiyor.</translation>
     </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça, eski kontekstte kalan torbasından ayrılıyor (torbalar: %1).</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep a number of the old context: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça eski kontekstin numarasını koruyor: %1.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1377,13 +1391,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Durduruluyor…</translation>
     </message>
-    <message numerus="yes">
-        <source>about %n minute(s) of one core in all</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>
-            <numerusform>toplamda tek çekirdekle yaklaşık %n dakika</numerusform>
-        </translation>
-    </message>
     <message>
       <source>%1, %2 %</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1462,11 +1469,6 @@
         <numerusform>%n parça seçildi</numerusform>
       </translation>
     </message>
-    <message>
-      <source>Type a value to see what would change.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Neyin değişeceğini görmek için bir değer yazın.</translation>
-    </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1515,6 +1517,11 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Karşılaştır</translation>
+    </message>
+    <message>
+      <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neyin değişeceğini görmek için bir değer yazın ya da silmek için boş alanda Enter tuşuna basın.</translation>
     </message>
 </context>
 <context>
@@ -2090,11 +2097,6 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
-    <message>
-      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Henüz kaydedilmedi: %1. Alanda Enter kaydeder; yeniden kapatmak vazgeçer.</translation>
-    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2261,6 +2263,18 @@
       <source>Compare</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Karşılaştır</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz kaydedilmedi: %1. Alanda Enter kaydeder; yeniden kapatmak vazgeçer.</translation>
+    </message>
+    <message numerus="yes">
+      <source>Export %n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parçayı dışa aktar</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -3438,6 +3452,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu ekranda OpenGL 3.2 yok, bu yüzden model döndürülemiyor.</translation>
     </message>
+    <message>
+      <source>No model: the sherd belongs to no batch of photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Model yok: parça hiçbir fotoğraf partisine ait değil.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -3715,11 +3734,6 @@
       <translation>Alan, açma, kontekst ve torba</translation>
     </message>
     <message>
-      <source>write site-trench-context-bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>lütfen alan-açma-kontekst-torba</translation>
-    </message>
-    <message>
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeni: %1</translation>
@@ -3730,9 +3744,14 @@
       <translation>etiketini tarayın ya da %1-T3-0012-4</translation>
     </message>
     <message>
-      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <source>Write the bag as site-trench-context-bag.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Torba yok: katalog bir bağlam verene kadar parçalara numara verilmez.</translation>
+      <translation>Torbayı alan-açma-kontekst-torba olarak yazın.</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds can be numbered once the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Torba yok: katalog onlara bir kontekst verince parçalar numaralanabilir.</translation>
     </message>
 </context>
 <context>
@@ -4134,11 +4153,6 @@
       <translation>Adınızın baş harfleri</translation>
     </message>
     <message>
-      <source>Saved, with your name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Adınızla kaydedildi.</translation>
-    </message>
-    <message>
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gözden geçirme</translation>
@@ -4234,6 +4248,11 @@
       <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydedildi. %1 partisinin bütün çiftlerine karar verildi. Sırada: değişen modelleri güncellemek.</translation>
+    </message>
+    <message>
+      <source>Saved, with your initials.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Baş harflerinizle kaydedildi.</translation>
     </message>
 </context>
 <context>
@@ -4684,11 +4703,6 @@
       <translation>%1; şüpheli</translation>
     </message>
     <message>
-      <source>Not saved yet: %1. Return in the field saves it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Henüz kaydedilmedi: %1. Alanda Enter kaydeder.</translation>
-    </message>
-    <message>
       <source>7 is the running number in the sherd&apos;s context; =7 is the number 7 itself.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>7, parçanın kontekstindeki sıra numarasıdır; =7 ise 7 numarasının kendisidir.</translation>
@@ -4752,6 +4766,11 @@
       <source>scale</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ölçek</translation>
+    </message>
+    <message>
+      <source>Not saved yet: %1. Enter in the field saves it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz kaydedilmedi: %1. Alanda Enter kaydeder.</translation>
     </message>
 </context>
 <context>
@@ -11186,6 +11205,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 öğesini açacak bir program bulunamadı. Dosya yerinde: elle açın.</translation>
     </message>
+    <message>
+      <source>Opening %1. If it does not appear, open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 açılıyor. Görünmezse elle açın.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MarkerSide</name>
@@ -11289,11 +11313,6 @@
       <translation>İkinci fotoğraflanan yüzün.</translation>
     </message>
     <message>
-      <source>Rough.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kabaca.</translation>
-    </message>
-    <message>
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ölçüldü.</translation>
@@ -11302,6 +11321,11 @@
       <source>No colours proposed: the model has no texture from photographs, or an earlier version of the program made it. Reprocess its batch to get proposals.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Renk önerilmiyor: modelin fotoğraflardan dokusu yok ya da onu programın daha eski bir sürümü yaptı. Öneri almak için partisini yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>Rough estimate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaba tahmin.</translation>
     </message>
 </context>
 <context>

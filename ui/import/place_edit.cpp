@@ -98,9 +98,9 @@ void PlaceEdit::follow() {
 QString PlaceEdit::noteWords() {
   if (text().isEmpty()) {
     known_.clear();
-    return tr("No bag: the sherds get no numbers until the catalogue gives them a context.");
+    return tr("No bag: the sherds can be numbered once the catalogue gives them a context.");
   }
-  if (!isUsable()) return tr("write site-trench-context-bag");
+  if (!isUsable()) return tr("Write the bag as site-trench-context-bag.");
   const QString news = news_ ? news_(place()) : QString();
   if (news.isEmpty()) known_ = text();
   return news.isEmpty() ? QString() : tr("New: %1").arg(news);

@@ -1,7 +1,6 @@
 // What a person reads of the queue.
 #include <QCoreApplication>
 #include <QLocale>
-#include <cmath>
 
 #include "batch/batch.h"
 #include "registration/within.h"
@@ -37,8 +36,7 @@ QString progressWords(const QueueRow& row) {
   if (row.draft) words = BatchQueue::tr("Draft: %1").arg(words);
   QString time = timeLeftWords(row.progress.seconds_left);
   if (time.isEmpty() && row.estimate_s > 0)
-    time = BatchQueue::tr("about %n minute(s) of one core in all", nullptr,
-                          static_cast<int>(std::ceil(row.estimate_s / 60)));
+    time = timeLeftWords(row.estimate_s * (1 - row.progress.fraction));
   return time.isEmpty() ? words : words + QStringLiteral(", ") + time;
 }
 

@@ -287,8 +287,9 @@ QString leftBehindWords(const intake::Move& move) {
   for (const std::string& number : move.numbers) numbers << QString::fromStdString(number);
   if (move.without_bag > 0)
     said << QCoreApplication::translate(
-                "ostraka::ui", "%n sherd(s) leave their bag, which stays in the old context: %1.",
-                nullptr, move.without_bag)
+                "ostraka::ui",
+                "%n sherd(s) leave their bag, which stays in the old context (bags: %1).", nullptr,
+                move.without_bag)
                 .arg(firstOf(bags, kMostNamed));
   if (!move.numbers.empty())
     said << QCoreApplication::translate("ostraka::ui",

@@ -61,7 +61,7 @@ bool MunsellLine::offer(const colour::MunsellProposals& proposals,
                      .arg(notation_, differenceText(own->match.difference),
                           QString::fromStdString(own->match.second),
                           differenceText(own->match.second_difference),
-                          proposals.chart ? tr("Measured.") : tr("Rough.")));
+                          proposals.chart ? tr("Measured.") : tr("Rough estimate.")));
   take_over_->setAccessibleName(tr("Take over %1").arg(notation_));
   take_over_->setEnabled(own->match.notation != sherds::textOf(sherd, field_));
   QString trust = trustText(proposals);

@@ -43,7 +43,7 @@ void setPicture(QLabel* label, const QString& path, int size) {
 }
 
 QString unsavedWords(const QStringList& fields) {
-  return SherdDetails::tr("Not saved yet: %1. Return in the field saves it.")
+  return SherdDetails::tr("Not saved yet: %1. Enter in the field saves it.")
       .arg(fields.join(QStringLiteral(", ")));
 }
 

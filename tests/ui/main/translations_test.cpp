@@ -146,9 +146,14 @@ class TranslationsTest : public QObject {
   // A text that is looked up under a name that no file has would stay English in all languages.
   void theNamesThatTextsAreLookedUpUnderAreThere() {
     QSet<QString> known;
-    for (const TranslatedText& message : messagesOf(QStringLiteral("de"))) known << message.context;
+    for (const TranslatedText& message : messagesOf(QStringLiteral("de")))
+      known << message.context << message.context + message.source;
     static const QRegularExpression asked(
         QStringLiteral("translate\\(\\s*\"([^\"]+)\"|TRANSLATE_NOOP\\(\"([^\"]+)\""));
+    // With its text, in one literal or in several.
+    static const QRegularExpression whole(
+        QStringLiteral("translate\\(\\s*\"([^\"]+)\",\\s*((?:\"[^\"\\\\]*\"\\s*)+)[,)]"));
+    static const QRegularExpression seam(QStringLiteral("\"\\s*\""));
     int seen = 0;
     QDirIterator files(QStringLiteral(OSTRAKA_SOURCES), {QStringLiteral("*.cpp")}, QDir::Files,
                        QDirIterator::Subdirectories);
@@ -160,6 +165,13 @@ class TranslationsTest : public QObject {
         const auto found = at.next();
         const QString name = found.captured(1) + found.captured(2);
         QVERIFY2(known.contains(name), qPrintable(file.fileName() + ": " + name));
+      }
+      for (auto at = whole.globalMatch(source); at.hasNext();) {
+        const auto found = at.next();
+        const QString text = found.captured(2).trimmed().remove(seam);
+        const QString words = text.mid(1, text.size() - 2);
+        QVERIFY2(known.contains(found.captured(1) + words),
+                 qPrintable(file.fileName() + ": " + words));
       }
     }
     QVERIFY(seen > 20);

@@ -38,10 +38,13 @@ class QueueRowsTest : public QObject {
     row.progress = {QStringLiteral("models"), 0.75, -1};
     QCOMPARE(progressWords(row), QStringLiteral("Closing the models, 75 %"));
     row.draft = true;
-    row.estimate_s = 90;
-    QCOMPARE(
-        progressWords(row),
-        QStringLiteral("Draft: Closing the models, 75 %, about 2 minute(s) of one core in all"));
+    row.estimate_s = 480;
+    QCOMPARE(progressWords(row),
+             QStringLiteral("Draft: Closing the models, 75 %, about 2 min left"));
+    row.progress.fraction = 0.5;
+    QCOMPARE(progressWords(row),
+             QStringLiteral("Draft: Closing the models, 50 %, about 4 min left"));
+    row.progress.fraction = 0.75;
     row.progress.seconds_left = 120;
     QCOMPARE(progressWords(row),
              QStringLiteral("Draft: Closing the models, 75 %, about 2 min left"));

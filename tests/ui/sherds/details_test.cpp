@@ -201,7 +201,7 @@ class DetailsTest : public CatalogueWindow {
     QTRY_VERIFY(told->isVisible());
     QVERIFY2(told->text().contains("7.5YR 5/4 (Delta E 2000: 0.9), then 5YR 5/4 (2.2)"),
              qPrintable(told->text()));
-    QVERIFY(told->text().endsWith("Rough."));
+    QVERIFY(told->text().endsWith("Rough estimate."));
     QVERIFY(told->toolTip().contains("no usable colour chart"));
     QVERIFY(told->toolTip().contains("first"));
     QVERIFY(!child<QLabel>("proposed_munsell_in")->isVisible());

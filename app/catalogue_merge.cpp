@@ -45,6 +45,10 @@ std::vector<std::string> takesOf(const merge::Conflict& conflict) {
   return takes;
 }
 
+std::string newNumber(const std::string& words, const std::string& proposed) {
+  return words + (proposed.empty() ? std::string() : ", for example " + proposed) + "\n";
+}
+
 void printConflicts(const merge::MergeReport& report) {
   std::size_t open = 0;
   for (const merge::Conflict& conflict : report.conflicts) {
@@ -52,6 +56,10 @@ void printConflicts(const merge::MergeReport& report) {
     show(stderr, "%s\n  id: %s (%s)\n  a:  %s\n  b:  %s\n", subjectOf(conflict).c_str(),
          conflict.id.c_str(), joined(takesOf(conflict), ", ").c_str(),
          textOf(conflict, conflict.a).c_str(), textOf(conflict, conflict.b).c_str());
+    if (!conflict.isOfTwoSherds()) continue;
+    show(stderr, "%s%s%s", newNumber("  a: B's sherd gets another number", conflict.new_b).c_str(),
+         newNumber("  b: A's sherd gets another number", conflict.new_a).c_str(),
+         conflict.offers(merge::Take::One) ? "  one: one sherd, both records become one\n" : "");
   }
   if (open > kMostConflicts)
     show(stderr, "%zu more conflicts; --json lists all.\n", open - kMostConflicts);
@@ -65,6 +73,8 @@ ordered_json conflictsJson(const std::vector<merge::Conflict>& conflicts) {
                     {"a", textOf(conflict, conflict.a)},
                     {"b", textOf(conflict, conflict.b)},
                     {"takes", takesOf(conflict)},
+                    {"new_a", conflict.new_a},
+                    {"new_b", conflict.new_b},
                     {"settled", conflict.settled}});
   return list;
 }
@@ -143,7 +153,10 @@ void addCatalogueMerge(CLI::App& catalogue, Command& chosen) {
       "  ostraka catalogue merge Hill Hill-laptop --settle choices.json\n"
       "choices.json has a choice for the id of each conflict that the first command lists:\n"
       "  [{\"id\": \"sherd/UUID/ware\", \"take\": \"b\"},\n"
-      "   {\"id\": \"number/UUID\", \"number\": \"ARM1-T3-0012-0099\"}]");
+      "   {\"id\": \"number/UUID\", \"take\": \"a\", \"number\": \"ARM1-T3-0012-0099\"},\n"
+      "   {\"id\": \"number/UUID\", \"take\": \"one\"}]\n"
+      "Of a number that two sherds have: a or b keeps it, and the other sherd gets \"number\",\n"
+      "or the next free one; one: they are one sherd, and both records become one.");
   addProject(*command, arguments->a, "A", "Folder of the project that is changed");
   addProject(*command, arguments->b, "B", "Folder of the project that is read");
   command->add_option("--settle", arguments->settled, "What to take of each conflict, as JSON")

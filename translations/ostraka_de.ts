@@ -469,6 +469,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Grund der Ungültigkeit</translation>
     </message>
+    <message>
+      <source>one sherd with</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dieselbe Scherbe wie</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2300,6 +2305,21 @@
         <numerusform>%n Scherbe exportieren</numerusform>
         <numerusform>%n Scherben exportieren</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Print labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Etiketten drucken</translation>
+    </message>
+    <message>
+      <source>sherd labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbenetiketten</translation>
+    </message>
+    <message>
+      <source>Only sherds with a number get a label: assign the numbers first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur Scherben mit Nummer bekommen ein Etikett: zuerst die Nummern vergeben.</translation>
     </message>
 </context>
 <context>
@@ -9954,19 +9974,9 @@
       <translation>Der Konflikt %1 (%2) lässt sich nicht mit „%3“ lösen; nichts wurde zusammengeführt. Eine der Möglichkeiten wählen, die die Liste der Konflikte nennt.</translation>
     </message>
     <message>
-      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Nummer %1 wurde schon vergeben und wird nie wieder verwendet; nichts wurde zusammengeführt. Den Konflikt number/%2 mit einer anderen Nummer lösen.</translation>
-    </message>
-    <message>
       <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Datei muss eine JSON-Liste aus {&quot;id&quot;: &quot; …&quot;, &quot;take&quot;: &quot;a&quot;} oder {&quot;id&quot;: &quot; …&quot;, &quot;number&quot;: &quot; …&quot;} sein; nichts wurde zusammengeführt. Die Datei berichtigen.</translation>
-    </message>
-    <message>
-      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Eintrag dieser Datei hat nicht die Form {&quot;id&quot;: &quot; …&quot;, &quot;take&quot;: &quot;a&quot;} (oder &quot;b&quot;, oder &quot;number&quot; mit einer neuen Nummer): %1; nichts wurde zusammengeführt. Den Eintrag berichtigen.</translation>
     </message>
     <message>
       <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
@@ -10668,6 +10678,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Brauchbare Fotos der Rückseite: %1; mindestens %2 sind nötig. Ausgelassene Fotos: %3; das erste: %4</translation>
     </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict %2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 wurde schon vergeben und wird nie wieder verwendet; nichts wurde zusammengeführt. Den Konflikt %2 mit einer anderen Nummer lösen.</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot; or &quot;one&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Eintrag dieser Datei hat nicht die Form {&quot;id&quot;: &quot; …&quot;, &quot;take&quot;: &quot;a&quot;} (oder &quot;b&quot; oder &quot;one&quot;, oder &quot;number&quot; mit einer neuen Nummer): %1; nichts wurde zusammengeführt. Den Eintrag berichtigen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11048,11 +11068,6 @@
       <translation>Rückgängig</translation>
     </message>
     <message>
-      <source>New number of the other project&apos;s record</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Neue Nummer für den Datensatz des anderen Projekts</translation>
-    </message>
-    <message>
       <source>All open ones: this project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Alle offenen: dieses Projekt</translation>
@@ -11114,6 +11129,71 @@
       <source>Merge project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projekt zusammenführen</translation>
+    </message>
+    <message>
+      <source>New number:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neue Nummer:</translation>
+    </message>
+    <message>
+      <source>New number of the record that does not keep it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neue Nummer des Datensatzes, der sie nicht behält</translation>
+    </message>
+    <message>
+      <source>Sherds with a new number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben mit neuer Nummer</translation>
+    </message>
+    <message>
+      <source>Copy list</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Liste kopieren</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwei Scherben: die dieses Projekts behält die Nummer, die andere bekommt %1</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwei Scherben: die dieses Projekts behält die Nummer, die andere bekommt eine neue</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwei Scherben: die andere behält die Nummer, die dieses Projekts bekommt %1</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwei Scherben: die andere behält die Nummer, die dieses Projekts bekommt eine neue</translation>
+    </message>
+    <message>
+      <source>One sherd: both records become one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe: beide Datensätze werden einer</translation>
+    </message>
+    <message>
+      <source>Open; new number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Offen; neue Nummer: %1</translation>
+    </message>
+    <message>
+      <source>One sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Scherbe</translation>
+    </message>
+    <message>
+      <source>This project; the other sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Projekt; die andere Scherbe: %1</translation>
+    </message>
+    <message>
+      <source>Other project; this sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anderes Projekt; diese Scherbe: %1</translation>
     </message>
 </context>
 <context>

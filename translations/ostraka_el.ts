@@ -469,6 +469,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>λόγος ακύρωσης</translation>
     </message>
+    <message>
+      <source>one sherd with</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ίδιο όστρακο με</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2300,6 +2305,21 @@
         <numerusform>Εξαγωγή %n οστράκου</numerusform>
         <numerusform>Εξαγωγή %n οστράκων</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Print labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εκτύπωση ετικετών</translation>
+    </message>
+    <message>
+      <source>sherd labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ετικέτες οστράκων</translation>
+    </message>
+    <message>
+      <source>Only sherds with a number get a label: assign the numbers first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ετικέτα παίρνουν μόνο όστρακα με αριθμό: δώστε πρώτα τους αριθμούς.</translation>
     </message>
 </context>
 <context>
@@ -9954,19 +9974,9 @@
       <translation>Η σύγκρουση %1 (%2) δεν λύνεται με «%3»· δεν συγχωνεύτηκε τίποτα. Επιλέξτε έναν από τους τρόπους που δίνει ο κατάλογος των συγκρούσεων.</translation>
     </message>
     <message>
-      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο αριθμός %1 έχει ήδη δοθεί και δεν ξαναχρησιμοποιείται ποτέ· δεν συγχωνεύτηκε τίποτα. Λύστε τη σύγκρουση number/%2 με άλλον αριθμό.</translation>
-    </message>
-    <message>
       <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο πρέπει να είναι λίστα JSON από {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} ή {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}· δεν συγχωνεύτηκε τίποτα. Διορθώστε το αρχείο.</translation>
-    </message>
-    <message>
-      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μια εγγραφή του αρχείου δεν έχει τη μορφή {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (ή &quot;b&quot;, ή &quot;number&quot; με νέο αριθμό): %1· δεν συγχωνεύτηκε τίποτα. Διορθώστε την εγγραφή.</translation>
     </message>
     <message>
       <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
@@ -10668,6 +10678,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρησιμοποιήσιμες φωτογραφίες της πίσω όψης: %1· χρειάζονται τουλάχιστον %2. Φωτογραφίες που παραλείφθηκαν: %3· η πρώτη: %4</translation>
     </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict %2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 έχει ήδη δοθεί και δεν ξαναχρησιμοποιείται ποτέ· δεν συγχωνεύτηκε τίποτα. Λύστε τη σύγκρουση %2 με άλλον αριθμό.</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot; or &quot;one&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια εγγραφή του αρχείου δεν έχει τη μορφή {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (ή &quot;b&quot; ή &quot;one&quot;, ή &quot;number&quot; με νέο αριθμό): %1· δεν συγχωνεύτηκε τίποτα. Διορθώστε την εγγραφή.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11048,11 +11068,6 @@
       <translation>Αναίρεση</translation>
     </message>
     <message>
-      <source>New number of the other project&apos;s record</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Νέος αριθμός της εγγραφής του άλλου έργου</translation>
-    </message>
-    <message>
       <source>All open ones: this project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όλες οι ανοιχτές: αυτό το έργο</translation>
@@ -11114,6 +11129,71 @@
       <source>Merge project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Συγχώνευση έργου</translation>
+    </message>
+    <message>
+      <source>New number:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέος αριθμός:</translation>
+    </message>
+    <message>
+      <source>New number of the record that does not keep it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέος αριθμός της εγγραφής που δεν τον κρατά</translation>
+    </message>
+    <message>
+      <source>Sherds with a new number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα με νέο αριθμό</translation>
+    </message>
+    <message>
+      <source>Copy list</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αντιγραφή λίστας</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δύο όστρακα: αυτού του έργου κρατά τον αριθμό, το άλλο παίρνει %1</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δύο όστρακα: αυτού του έργου κρατά τον αριθμό, το άλλο παίρνει νέον</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δύο όστρακα: το άλλο κρατά τον αριθμό, αυτού του έργου παίρνει %1</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δύο όστρακα: το άλλο κρατά τον αριθμό, αυτού του έργου παίρνει νέον</translation>
+    </message>
+    <message>
+      <source>One sherd: both records become one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όστρακο: οι δύο εγγραφές γίνονται μία</translation>
+    </message>
+    <message>
+      <source>Open; new number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ανοιχτή· νέος αριθμός: %1</translation>
+    </message>
+    <message>
+      <source>One sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα όστρακο</translation>
+    </message>
+    <message>
+      <source>This project; the other sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το έργο· το άλλο όστρακο: %1</translation>
+    </message>
+    <message>
+      <source>Other project; this sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άλλο έργο· αυτό το όστρακο: %1</translation>
     </message>
 </context>
 <context>

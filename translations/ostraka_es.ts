@@ -469,6 +469,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>motivo de la anulación</translation>
     </message>
+    <message>
+      <source>one sherd with</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mismo fragmento que</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2300,6 +2305,21 @@
         <numerusform>Exportar %n fragmento</numerusform>
         <numerusform>Exportar %n fragmentos</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Print labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimir etiquetas</translation>
+    </message>
+    <message>
+      <source>sherd labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>etiquetas de fragmentos</translation>
+    </message>
+    <message>
+      <source>Only sherds with a number get a label: assign the numbers first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Solo los fragmentos con número reciben etiqueta: asigne antes los números.</translation>
     </message>
 </context>
 <context>
@@ -9954,19 +9974,9 @@
       <translation>El conflicto %1 (%2) no puede resolverse con «%3»; no se unió nada. Elija una de las opciones que ofrece la lista de conflictos.</translation>
     </message>
     <message>
-      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El número %1 ya se asignó y nunca se reutiliza; no se unió nada. Resuelva el conflicto number/%2 con otro número.</translation>
-    </message>
-    <message>
       <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este archivo debe ser una lista JSON de {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} o {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; no se unió nada. Corrija el archivo.</translation>
-    </message>
-    <message>
-      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una entrada de este archivo no tiene la forma {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (o &quot;b&quot;, o &quot;number&quot; con un número nuevo): %1; no se unió nada. Corrija la entrada.</translation>
     </message>
     <message>
       <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
@@ -10668,6 +10678,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotografías utilizables del reverso: %1; hacen falta al menos %2. Fotografías omitidas: %3; la primera: %4</translation>
     </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict %2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 ya se asignó y nunca se reutiliza; no se unió nada. Resuelva el conflicto %2 con otro número.</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot; or &quot;one&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una entrada de este archivo no tiene la forma {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (o &quot;b&quot; o &quot;one&quot;, o &quot;number&quot; con un número nuevo): %1; no se unió nada. Corrija la entrada.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11048,11 +11068,6 @@
       <translation>Deshacer</translation>
     </message>
     <message>
-      <source>New number of the other project&apos;s record</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Número nuevo del registro del otro proyecto</translation>
-    </message>
-    <message>
       <source>All open ones: this project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Todos los abiertos: este proyecto</translation>
@@ -11114,6 +11129,71 @@
       <source>Merge project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Unir proyecto</translation>
+    </message>
+    <message>
+      <source>New number:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Número nuevo:</translation>
+    </message>
+    <message>
+      <source>New number of the record that does not keep it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Número nuevo del registro que no lo conserva</translation>
+    </message>
+    <message>
+      <source>Sherds with a new number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmentos con número nuevo</translation>
+    </message>
+    <message>
+      <source>Copy list</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Copiar la lista</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dos fragmentos: el de este proyecto conserva el número, el otro recibe %1</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dos fragmentos: el de este proyecto conserva el número, el otro recibe uno nuevo</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dos fragmentos: el otro conserva el número, el de este proyecto recibe %1</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dos fragmentos: el otro conserva el número, el de este proyecto recibe uno nuevo</translation>
+    </message>
+    <message>
+      <source>One sherd: both records become one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un solo fragmento: los dos registros pasan a ser uno</translation>
+    </message>
+    <message>
+      <source>Open; new number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abierto; número nuevo: %1</translation>
+    </message>
+    <message>
+      <source>One sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un solo fragmento</translation>
+    </message>
+    <message>
+      <source>This project; the other sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este proyecto; el otro fragmento: %1</translation>
+    </message>
+    <message>
+      <source>Other project; this sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro proyecto; este fragmento: %1</translation>
     </message>
 </context>
 <context>

@@ -469,6 +469,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>raison de l’annulation</translation>
     </message>
+    <message>
+      <source>one sherd with</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>même tesson que</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2300,6 +2305,21 @@
         <numerusform>Exporter %n tesson</numerusform>
         <numerusform>Exporter %n tessons</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Print labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imprimer les étiquettes</translation>
+    </message>
+    <message>
+      <source>sherd labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>étiquettes de tessons</translation>
+    </message>
+    <message>
+      <source>Only sherds with a number get a label: assign the numbers first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seuls les tessons numérotés reçoivent une étiquette : attribuez d’abord les numéros.</translation>
     </message>
 </context>
 <context>
@@ -9954,19 +9974,9 @@
       <translation>Le conflit %1 (%2) ne peut pas être résolu par « %3 » ; rien n’a été fusionné. Choisissez l’une des solutions proposées dans la liste des conflits.</translation>
     </message>
     <message>
-      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le numéro %1 a déjà été attribué et n’est jamais réutilisé ; rien n’a été fusionné. Résolvez le conflit number/%2 avec un autre numéro.</translation>
-    </message>
-    <message>
       <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier doit être une liste JSON de {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} ou {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;} ; rien n’a été fusionné. Corrigez le fichier.</translation>
-    </message>
-    <message>
-      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une entrée de ce fichier n’a pas la forme {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (ou &quot;b&quot;, ou &quot;number&quot; avec un nouveau numéro) : %1 ; rien n’a été fusionné. Corrigez l’entrée.</translation>
     </message>
     <message>
       <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
@@ -10668,6 +10678,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Photos utilisables de la face arrière : %1 ; il en faut au moins %2. Photos laissées de côté : %3 ; la première : %4</translation>
     </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict %2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 a déjà été attribué et n’est jamais réutilisé ; rien n’a été fusionné. Résolvez le conflit %2 avec un autre numéro.</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot; or &quot;one&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une entrée de ce fichier n’a pas la forme {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (ou &quot;b&quot; ou &quot;one&quot;, ou &quot;number&quot; avec un nouveau numéro) : %1 ; rien n’a été fusionné. Corrigez l’entrée.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11048,11 +11068,6 @@
       <translation>Annuler</translation>
     </message>
     <message>
-      <source>New number of the other project&apos;s record</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nouveau numéro de la fiche de l’autre projet</translation>
-    </message>
-    <message>
       <source>All open ones: this project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tous les conflits ouverts : ce projet</translation>
@@ -11114,6 +11129,71 @@
       <source>Merge project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fusionner le projet</translation>
+    </message>
+    <message>
+      <source>New number:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nouveau numéro :</translation>
+    </message>
+    <message>
+      <source>New number of the record that does not keep it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nouveau numéro de la fiche qui ne le garde pas</translation>
+    </message>
+    <message>
+      <source>Sherds with a new number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tessons avec un nouveau numéro</translation>
+    </message>
+    <message>
+      <source>Copy list</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Copier la liste</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deux tessons : celui de ce projet garde le numéro, l’autre reçoit %1</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deux tessons : celui de ce projet garde le numéro, l’autre en reçoit un nouveau</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deux tessons : l’autre garde le numéro, celui de ce projet reçoit %1</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deux tessons : l’autre garde le numéro, celui de ce projet en reçoit un nouveau</translation>
+    </message>
+    <message>
+      <source>One sherd: both records become one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un seul tesson : les deux fiches n’en font plus qu’une</translation>
+    </message>
+    <message>
+      <source>Open; new number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ouvert ; nouveau numéro : %1</translation>
+    </message>
+    <message>
+      <source>One sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un seul tesson</translation>
+    </message>
+    <message>
+      <source>This project; the other sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet ; l’autre tesson : %1</translation>
+    </message>
+    <message>
+      <source>Other project; this sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Autre projet ; ce tesson : %1</translation>
     </message>
 </context>
 <context>

@@ -469,6 +469,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>անվավեր ճանաչելու պատճառ</translation>
     </message>
+    <message>
+      <source>one sherd with</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նույն բեկորը, ինչ</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2300,6 +2305,21 @@
         <numerusform>Արտահանել %n բեկոր</numerusform>
         <numerusform>Արտահանել %n բեկոր</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Print labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տպել պիտակները</translation>
+    </message>
+    <message>
+      <source>sherd labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկորների պիտակներ</translation>
+    </message>
+    <message>
+      <source>Only sherds with a number get a label: assign the numbers first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պիտակ են ստանում միայն համար ունեցող բեկորները. նախ տվեք համարները։</translation>
     </message>
 </context>
 <context>
@@ -9954,19 +9974,9 @@
       <translation>%1 հակասությունը (%2) չի կարող լուծվել «%3» տարբերակով. ոչինչ չի միավորվել։ Ընտրեք հակասությունների ցանկում առաջարկված տարբերակներից մեկը։</translation>
     </message>
     <message>
-      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 համարն արդեն տրվել է և երբեք չի վերօգտագործվում. ոչինչ չի միավորվել։ number/%2 հակասությունը լուծեք մեկ այլ համարով։</translation>
-    </message>
-    <message>
       <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլը պետք է լինի JSON ցանկ՝ {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} կամ {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;} տարրերով. ոչինչ չի միավորվել։ Ուղղեք ֆայլը։</translation>
-    </message>
-    <message>
-      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս ֆայլի գրառումներից մեկը {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} ձևը չունի (կամ &quot;b&quot;, կամ &quot;number&quot;՝ նոր համարով)՝ %1. ոչինչ չի միավորվել։ Ուղղեք գրառումը։</translation>
     </message>
     <message>
       <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
@@ -10668,6 +10678,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երեսի պիտանի լուսանկարներ՝ %1. անհրաժեշտ է առնվազն %2։ Բաց թողնված լուսանկարներ՝ %3. առաջինը՝ %4</translation>
     </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict %2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարն արդեն տրվել է և երբեք չի վերօգտագործվում. ոչինչ չի միավորվել։ %2 հակասությունը լուծեք մեկ այլ համարով։</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot; or &quot;one&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլի գրառումներից մեկը {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} ձևը չունի (կամ &quot;b&quot; կամ &quot;one&quot;, կամ &quot;number&quot;՝ նոր համարով)՝ %1. ոչինչ չի միավորվել։ Ուղղեք գրառումը։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11048,11 +11068,6 @@
       <translation>Հետարկել</translation>
     </message>
     <message>
-      <source>New number of the other project&apos;s record</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մյուս նախագծի գրառման նոր համարը</translation>
-    </message>
-    <message>
       <source>All open ones: this project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բոլոր բացերը՝ այս նախագիծը</translation>
@@ -11114,6 +11129,71 @@
       <source>Merge project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միավորել նախագիծը</translation>
+    </message>
+    <message>
+      <source>New number:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր համար՝</translation>
+    </message>
+    <message>
+      <source>New number of the record that does not keep it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարը չպահող գրառման նոր համարը</translation>
+    </message>
+    <message>
+      <source>Sherds with a new number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր համարով բեկորներ</translation>
+    </message>
+    <message>
+      <source>Copy list</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պատճենել ցանկը</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու բեկոր․ այս նախագծինը պահում է համարը, մյուսը ստանում է %1</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու բեկոր․ այս նախագծինը պահում է համարը, մյուսը ստանում է նորը</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու բեկոր․ մյուսը պահում է համարը, այս նախագծինը ստանում է %1</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու բեկոր․ մյուսը պահում է համարը, այս նախագծինը ստանում է նորը</translation>
+    </message>
+    <message>
+      <source>One sherd: both records become one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ բեկոր․ երկու գրառումը դառնում են մեկը</translation>
+    </message>
+    <message>
+      <source>Open; new number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաց․ նոր համար՝ %1</translation>
+    </message>
+    <message>
+      <source>One sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ բեկոր</translation>
+    </message>
+    <message>
+      <source>This project; the other sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծը. մյուս բեկորը՝ %1</translation>
+    </message>
+    <message>
+      <source>Other project; this sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մյուս նախագիծը. այս բեկորը՝ %1</translation>
     </message>
 </context>
 <context>

@@ -469,6 +469,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>geçersiz sayma nedeni</translation>
     </message>
+    <message>
+      <source>one sherd with</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>aynı parça</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2275,6 +2280,21 @@
       <translation>
         <numerusform>%n parçayı dışa aktar</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Print labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Etiketleri yazdır</translation>
+    </message>
+    <message>
+      <source>sherd labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>parça etiketleri</translation>
+    </message>
+    <message>
+      <source>Only sherds with a number get a label: assign the numbers first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yalnızca numarası olan parçalar etiket alır: önce numaraları verin.</translation>
     </message>
 </context>
 <context>
@@ -9904,19 +9924,9 @@
       <translation>%1 çakışması (%2) “%3” ile çözülemez; hiçbir şey birleştirilmedi. Çakışma listesinin sunduğu yollardan birini seçin.</translation>
     </message>
     <message>
-      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 numarası daha önce verildi ve asla yeniden kullanılmaz; hiçbir şey birleştirilmedi. number/%2 çakışmasını başka bir numarayla çözün.</translation>
-    </message>
-    <message>
       <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosya, {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} ya da {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;} öğelerinden oluşan bir JSON listesi olmalıdır; hiçbir şey birleştirilmedi. Dosyayı düzeltin.</translation>
-    </message>
-    <message>
-      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu dosyanın bir girdisi {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} biçiminde değil (ya da &quot;b&quot;, ya da yeni bir numarayla &quot;number&quot;): %1; hiçbir şey birleştirilmedi. Girdiyi düzeltin.</translation>
     </message>
     <message>
       <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
@@ -10618,6 +10628,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzün kullanılabilir fotoğrafları: %1; en az %2 gerekli. Atlanan fotoğraflar: %3; ilki: %4</translation>
     </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict %2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numarası daha önce verildi ve asla yeniden kullanılmaz; hiçbir şey birleştirilmedi. %2 çakışmasını başka bir numarayla çözün.</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot; or &quot;one&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosyanın bir girdisi {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} biçiminde değil (ya da &quot;b&quot; veya &quot;one&quot;, ya da yeni bir numarayla &quot;number&quot;): %1; hiçbir şey birleştirilmedi. Girdiyi düzeltin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -10997,11 +11017,6 @@
       <translation>Geri al</translation>
     </message>
     <message>
-      <source>New number of the other project&apos;s record</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Öteki projedeki kaydın yeni numarası</translation>
-    </message>
-    <message>
       <source>All open ones: this project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Açık olanların hepsi: bu proje</translation>
@@ -11062,6 +11077,71 @@
       <source>Merge project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projeyi birleştir</translation>
+    </message>
+    <message>
+      <source>New number:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeni numara:</translation>
+    </message>
+    <message>
+      <source>New number of the record that does not keep it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numarayı korumayan kaydın yeni numarası</translation>
+    </message>
+    <message>
+      <source>Sherds with a new number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeni numaralı parçalar</translation>
+    </message>
+    <message>
+      <source>Copy list</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Listeyi kopyala</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İki parça: bu projeninki numarayı korur, öteki %1 alır</translation>
+    </message>
+    <message>
+      <source>Two sherds: this project&apos;s keeps the number, the other&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İki parça: bu projeninki numarayı korur, öteki yeni numara alır</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İki parça: öteki numarayı korur, bu projeninki %1 alır</translation>
+    </message>
+    <message>
+      <source>Two sherds: the other&apos;s keeps the number, this project&apos;s gets a new one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İki parça: öteki numarayı korur, bu projeninki yeni numara alır</translation>
+    </message>
+    <message>
+      <source>One sherd: both records become one</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tek parça: iki kayıt bir olur</translation>
+    </message>
+    <message>
+      <source>Open; new number: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Açık; yeni numara: %1</translation>
+    </message>
+    <message>
+      <source>One sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tek parça</translation>
+    </message>
+    <message>
+      <source>This project; the other sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu proje; öteki parça: %1</translation>
+    </message>
+    <message>
+      <source>Other project; this sherd: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Öteki proje; bu parça: %1</translation>
     </message>
 </context>
 <context>

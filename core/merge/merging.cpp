@@ -108,6 +108,7 @@ void Merging::readAliases() {
       const std::string other = key.substr(std::string_view(kSameRow).size());
       for (const auto& [mine, theirs] : {std::pair(value, other), {other, value}}) {
         if (!rows_.contains(mine) || rows_.contains(theirs) || !tableWith(b_, theirs)) continue;
+        if (a_.table("sherd").find(mine) && b_.table("sherd").find(theirs)) continue;  // readSameSherds
         // One of A's own that does not fit came with a merge, and means nothing.
         if (canBeSame(a_, mine, b_, theirs))
           alias_[theirs] = mine;
@@ -118,6 +119,7 @@ void Merging::readAliases() {
                         projects_.b.database().file().string());
       }
     }
+  readSameSherds();
 }
 
 Merging::Values Merging::canonical(const Table& table, const Row& row) const {
@@ -181,8 +183,8 @@ bool Merging::sameUnderAnotherId(const Table& a, const Row& mine, const Table& b
 
 void Merging::mergeTable(const Table& a, const Table& b) {
   aliasRows(a, b);
-  compareHistories(a.name);
   if (a.name == "sherd") noteNumbers();
+  compareHistories(a.name);
   if (a.name == "pair_decision") comparePairs();
   if (a.name == "piece_decision") comparePieces();
   if (a.name == "scan") noteOwnComputations();
@@ -469,7 +471,8 @@ Take Merging::settle(Conflict conflict) {
   if (const auto known = takes_.find(conflict.id); known != takes_.end()) return known->second;
   const Choice* choice = choiceOf(conflict.id);
   if (choice) {
-    if (!conflict.offers(choice->take))
+    const bool calls_one = !choice->number.empty() && choice->take != Take::Number;
+    if (!conflict.offers(choice->take) || (calls_one && !conflict.isOfTwoSherds()))
       store::refuse(message(
           "The conflict %1 (%2) cannot be settled with '%3'; nothing was merged. Choose one "
           "of the ways that the list of conflicts offers.",

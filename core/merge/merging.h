@@ -79,16 +79,20 @@ class Merging {
                       const std::vector<std::string>& fields);
 
   // numbers.cpp: sherds and their numbers
+  void readSameSherds();
   void noteNumbers();
+  Conflict twoSherds(const std::string& mine, const std::string& theirs, const Values&) const;
+  std::string freeNumber(const Conflict& conflict, const std::string& loser) const;
   std::string numberNow(const std::string& sherd) const;
   std::string numberInB(const std::string& sherd) const;  ///< empty: none, or no such sherd
   bool takesNumber(const std::string& sherd, const Table& table, Values& values);
   bool winsNumber(const std::string& sherd, const Table& table, Values& values);
-  void takeNumberAway(const std::string& sherd);
+  void takeNumberAway(const std::string& sherd, const std::string& wanted);
   void renumberLosers();
   void claimNumber(const std::string& sherd, const std::string& number);
   void addGivenNumbers();
   void assignNumbers();
+  void proposeNumbers();
   void mergeMeasurements();
   void mergeJoins();
 
@@ -120,27 +124,23 @@ class Merging {
   Content a_;
   const Content& b_;
   Outcome outcome_;
-  std::map<std::string, std::vector<Unit>> units_;       ///< by table
-  std::unordered_map<std::string, std::string> alias_;   ///< of B -> of A
-  std::unordered_map<std::string, std::int64_t> rows_;   ///< of A, by uuid
-  std::unordered_map<std::string, std::string> labels_;  ///< by uuid
-  std::unordered_map<std::string, Take> takes_;          ///< by conflict
-  std::unordered_map<std::string, Take> of_row_;         ///< settled for all its fields at once
+  std::map<std::string, std::vector<Unit>> units_;               ///< by table
+  std::unordered_map<std::string, std::string> alias_, labels_;  ///< of B -> of A; by uuid
+  std::unordered_map<std::string, std::int64_t> rows_;           ///< of A, by uuid
+  std::unordered_map<std::string, Take> takes_, of_row_;  ///< of a conflict; of a row's fields
   std::unordered_map<std::string, std::vector<Event>> new_events_;  ///< of B alone, by row
   Touched touched_a_, touched_b_;
   std::map<std::string, std::vector<const Event*>> since_a_, since_b_;  ///< by table, in order
   std::vector<Deferred> deferred_;
-  std::unordered_map<std::string, std::string> number_owner_;   ///< by slug: sherd
+  std::unordered_map<std::string, std::string> number_owner_, contested_;  ///< of slug, conflict
   std::set<std::pair<std::string, std::string>> numbers_in_b_;  ///< slug, sherd: at any time
   std::set<std::string> new_places_;                         ///< table and natural key: as settled
   std::unordered_map<std::string, const Row*> sherds_of_b_;  ///< by uuid in A
   std::vector<TakenNumber> taken_away_;                      ///< of sherds of A
   std::set<std::string> lost_numbers_;  ///< sherds of B whose number stays with another
   std::map<std::string, std::pair<std::string, std::string>> new_numbers_;  ///< sherd: old, new
-  std::map<std::string, std::string> claimed_;                              ///< sherd: number
-  std::map<std::string, std::string> folder_of_;                            ///< number of B -> of A
+  std::map<std::string, std::string> claimed_, folder_of_, demoted_;  ///< sherd; batch, scan of B
   std::set<std::string> fresh_batches_, computed_in_a_, computed_in_b_, decided_in_b_;  ///< uuids
-  std::map<std::string, std::string> demoted_;                  ///< scan of B: its name there
   std::vector<std::pair<std::int64_t, Value>> scan_positions_;  ///< once all others moved away
   std::vector<std::pair<std::string, std::string>> losers_;     ///< table, uuid of a decision
   std::set<std::int64_t> changed_sherds_;

@@ -47,14 +47,103 @@ Told toldJoins(const Content& content, const std::vector<const Event*>& since,
 
 }  // namespace
 
+// Records of one sherd may know each other through those of other projects only. What is known is
+// kept: later a project may come that has one of these records, and no word on the others.
+void Merging::readSameSherds() {
+  std::unordered_map<std::string, std::vector<std::string>> same;
+  for (const Content* content : {static_cast<const Content*>(&a_), &b_})
+    for (const auto& [key, value] : content->settings) {
+      if (!key.starts_with(kSameRow)) continue;
+      const std::string other = key.substr(std::string_view(kSameRow).size());
+      same[other].push_back(value);
+      same[value].push_back(other);
+    }
+  const Table &mine = a_.table("sherd"), &theirs = b_.table("sherd");
+  std::set<std::string> found;
+  for (const Row& row : theirs.rows) {
+    if (mine.find(row.id) || !same.contains(row.id)) continue;
+    std::vector<std::string> reached = {row.id};
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      const std::string id = reached[i];
+      // Two sherds of which only one project says that they are one stay two.
+      if (mine.find(id) && !theirs.find(id) && found.insert(id).second) {
+        alias_[row.id] = id;
+        database_.run("INSERT OR IGNORE INTO setting VALUES (?, ?)", kSameRow + row.id, id);
+        break;
+      }
+      for (const std::string& next : same[id])
+        if (std::ranges::find(reached, next) == reached.end()) reached.push_back(next);
+    }
+  }
+}
+
 void Merging::noteNumbers() {
   for (const std::vector<Value>& given : a_.given)
     number_owner_[slugOfNumber(given[2].value_or(""))] = given[3].value_or("");
   for (const Row& theirs : b_.table("sherd").rows) sherds_of_b_[canonicalId(theirs.id)] = &theirs;
+  // Each project entered the same sherd, as a person says: from here on its two records are one row
+  // under two uuids, and what they say differently is settled field by field.
+  const Table& table = b_.table("sherd");
+  for (const Row& theirs : table.rows) {
+    const Choice* choice = choiceOf(kTwoSherds + theirs.id);
+    const auto owner = number_owner_.find(slugOfNumber(numberInB(theirs.id)));
+    if (!choice || choice->take != Take::One || owner == number_owner_.end()) continue;
+    const std::string& mine = owner->second;
+    const Conflict conflict = twoSherds(mine, theirs.id, canonical(table, theirs));
+    if (!conflict.offers(Take::One)) continue;
+    settle(conflict);
+    alias_[theirs.id] = mine;
+    sherds_of_b_.erase(theirs.id);
+    sherds_of_b_[mine] = &theirs;
+    database_.run("INSERT OR IGNORE INTO setting VALUES (?, ?)", kSameRow + theirs.id, mine);
+    remember("sherd", rows_.at(mine), "one_with", "", theirs.id);
+  }
   for (const Event& event : b_.events)
     if (event.table == "sherd" && event.field == "number")
       for (const std::string* number : {&event.old_value, &event.new_value})
         numbers_in_b_.emplace(slugOfNumber(*number), canonicalId(event.row));
+}
+
+// values: of the sherd of B, as it would be in A. The two can be one, but not where one of the
+// projects knows both as sherds of their own, nor where both were photographed: the scans of two
+// batches are those of two sherds.
+Conflict Merging::twoSherds(const std::string& mine, const std::string& theirs,
+                            const Values& values) const {
+  const Table& table = a_.table("sherd");
+  const std::size_t number = table.column("number"), state = table.column("state"),
+                    front = table.column("front");
+  Conflict conflict{
+      kTwoSherds + theirs,      "sherd",           values[number].value_or(""), "number", {},
+      sherdSeen(table, values), {Take::A, Take::B}};
+  const Row* own = table.find(mine);
+  if (!own) return conflict;
+  const Values& a = own->values;
+  conflict.a = sherdSeen(table, a);
+  const bool apart = sherds_of_b_.contains(mine) || table.find(theirs);
+  if (!apart && a[state] == "numbered" && values[state] == "numbered" &&
+      !(a[front] && values[front]) &&
+      slugOfNumber(a[number].value_or("")) == slugOfNumber(values[number].value_or("")))
+    conflict.takes.push_back(Take::One);
+  return conflict;
+}
+
+// What a person calls the sherd that loses its number; empty where nobody says, or where it is
+// called so anyway.
+std::string Merging::freeNumber(const Conflict& conflict, const std::string& loser) const {
+  const Choice* choice = choiceOf(conflict.id);
+  if (!choice || choice->number.empty()) return {};
+  const std::string wanted = store::valueOrThrow(newName(conflict.id, *choice));
+  const bool known = rows_.contains(loser);
+  if (known &&
+      (wanted == numberNow(loser) || (choice->take == Take::B && wanted == numberInB(loser))))
+    return {};
+  const auto owner = number_owner_.find(slugOfNumber(wanted));
+  if (owner != number_owner_.end() && owner->second != loser)
+    store::refuse(
+        message("The number %1 was assigned before and is never reused; nothing was merged. Settle "
+                "the conflict %2 with another number.",
+                wanted, conflict.id));
+  return wanted;
 }
 
 std::string Merging::numberNow(const std::string& sherd) const {
@@ -94,45 +183,38 @@ bool Merging::winsNumber(const std::string& sherd, const Table& table, Values& v
                       !lost_numbers_.contains(other_sherd) &&
                       touches(touched_b_, other_sherd, {"number"}) &&
                       !touches(touched_a_, other_sherd, {"number", "state", "void_reason"});
-  if (leaves) takeNumberAway(other_sherd);
+  if (leaves) takeNumberAway(other_sherd, {});
   // Settled before: B knows that the other sherd had the number, and it is called otherwise by now.
   if (leaves || (!bears && numbers_in_b_.contains(*owner))) return true;
-  const std::string conflict = "number/" + sherd;
-  const Row* other = a_.table("sherd").find(other_sherd);
-  const Take take = settle({conflict,
-                            "sherd",
-                            number,
-                            "number",
-                            other ? sherdSeen(table, other->values) : Version(),
-                            sherdSeen(table, values),
-                            {Take::A, Take::B, Take::Number}});
-  if (take == Take::Number) {
-    const std::string wanted = store::valueOrThrow(newName(conflict, *choiceOf(conflict)));
-    if (number_owner_.contains(slugOfNumber(wanted)))
-      store::refuse(message(
-          "The number %1 was assigned before and is never reused; nothing was merged. Settle "
-          "the conflict number/%2 with another number.",
-          wanted, sherd));
-    new_numbers_[sherd] = {number, wanted};
-    values[table.column("number")] = wanted;
-    values[table.column("number_sort")] = store::sortKey(wanted);
+  const Conflict conflict = twoSherds(other_sherd, sherd, values);
+  contested_[conflict.id] = other_sherd;
+  const Take take = settle(conflict);
+  if (take == Take::B) {
+    if (bears) takeNumberAway(other_sherd, freeNumber(conflict, other_sherd));
     return true;
   }
-  if (take == Take::A) lost_numbers_.insert(sherd);
-  if (take == Take::B && bears) takeNumberAway(other_sherd);
-  return take == Take::B;
+  const std::string wanted = freeNumber(conflict, sherd);
+  if (wanted.empty()) {
+    lost_numbers_.insert(sherd);
+    return false;
+  }
+  new_numbers_[sherd] = {number, wanted};
+  values[table.column("number")] = wanted;
+  values[table.column("number_sort")] = store::sortKey(wanted);
+  return true;
 }
 
-void Merging::takeNumberAway(const std::string& sherd) {
+void Merging::takeNumberAway(const std::string& sherd, const std::string& wanted) {
   const store::SherdRow row{rows_.at(sherd)};
   const records::SherdRecord loser = store::valueOrThrow(sherds::Sherds(projects_.a).get(row));
-  taken_away_.push_back({sherd, loser.number, loser.state == records::SherdState::Numbered});
+  taken_away_.push_back(
+      {sherd, loser.number, loser.state == records::SherdState::Numbered, wanted});
   sherds::setNumber(projects_.a, loser, {});
   changed_sherds_.insert(row.value);
 }
 
-// A sherd whose number went to another takes the one that it has in B, which may stand on its
-// label: if a third one bears that, a person says whose it is.
+// A sherd whose number went to another is called as a person says, or takes the one that it has in
+// B, which may stand on its label: if a third one bears that, a person says whose it is.
 void Merging::renumberLosers() {
   const Table& table = b_.table("sherd");
   // B's number came in its turn.
@@ -141,10 +223,16 @@ void Merging::renumberLosers() {
     const TakenNumber loser = taken_away_[i];
     const std::int64_t row = rows_.at(loser.sherd);
     remember("sherd", row, "number", loser.number, "");
-    const std::string number = numberInB(loser.sherd);
+    const std::string number = loser.wanted.empty() ? numberInB(loser.sherd) : loser.wanted;
     if (!loser.numbered || number.empty()) continue;
-    Values values = canonical(table, *sherds_of_b_.at(loser.sherd));
-    if (!winsNumber(loser.sherd, table, values)) continue;
+    Values values(table.columns.size());
+    if (loser.wanted.empty()) {
+      values = canonical(table, *sherds_of_b_.at(loser.sherd));
+      if (!winsNumber(loser.sherd, table, values)) continue;
+    } else {
+      values[table.column("number")] = number;
+      values[table.column("number_sort")] = store::sortKey(number);
+    }
     values[table.column("state")] = "numbered";
     std::vector<std::pair<std::size_t, Value>> changes;
     for (const char* name : {"number", "number_sort", "state"})
@@ -199,12 +287,43 @@ void Merging::assignNumbers() {
     if (sherds_of_b_.at(id)->values[sherds.column("state")] == "numbered")
       rows.push_back({rows_.at(id)});
   }
-  if (outcome_.unsettled()) return;
+  if (outcome_.unsettled()) return proposeNumbers();
   if (!rows.empty()) store::valueOrThrow(sherds::Numbers(projects_.a).assign(rows, provenance_));
   for (const auto& [sherd, numbers] : new_numbers_) before.emplace_back(sherd, numbers.first);
   for (const auto& [sherd, number] : before)
     if (const std::string now = numberNow(sherd); !now.empty())
       outcome_.new_numbers.try_emplace(sherd, number, now);
+}
+
+// Each conflict has numbers of its own, so that a person may settle them in any way. They are kept
+// from each other by being given, which is taken back with all else, as a conflict is open.
+void Merging::proposeNumbers() {
+  const sherds::Sherds all(projects_.a);
+  const auto next = [&](store::SherdRow row) -> std::string {
+    const auto numbers = sherds::Numbers(projects_.a).propose(std::span(&row, 1));
+    if (!numbers) return {};  // the scheme has none for it: a person types one
+    sherds::giveNumber(projects_.a, store::valueOrThrow(all.get(row)), numbers->front());
+    return numbers->front();
+  };
+  for (Conflict& conflict : outcome_.conflicts) {
+    if (conflict.settled || !conflict.isOfTwoSherds()) continue;
+    const std::string theirs = conflict.id.substr(std::string_view(kTwoSherds).size());
+    const std::string& mine = contested_.at(conflict.id);
+    const store::SherdRow other{rows_.at(theirs)};
+    conflict.new_b = numberNow(theirs);
+    conflict.new_a = numberInB(mine);
+    const std::string now = numberNow(mine);
+    if (conflict.new_a.empty() && slugOfNumber(now) != slugOfNumber(conflict.name))
+      conflict.new_a = now;
+    if (!conflict.new_b.empty()) continue;
+    conflict.new_b = next(other);
+    if (!conflict.new_a.empty()) continue;
+    database_.run(
+        "UPDATE sherd SET (context, bag, batch) = (SELECT context, bag, batch FROM sherd WHERE row "
+        "= ?) WHERE row = ?",
+        rows_.at(mine), other);
+    conflict.new_a = next(other);
+  }
 }
 
 void Merging::mergeMeasurements() {
@@ -252,6 +371,10 @@ void Merging::mergeMeasurements() {
                     {name, id, {name}, version(a), version(b), name, toldOf(a, b), toldOf(b, a)});
     if (take != Take::B) continue;
     const std::int64_t row = rows_.at(id);
+    // One of a record that A made one with another sherd stays with that.
+    if (b &&
+        database_.sql("SELECT 1 FROM measurement WHERE id = ? AND sherd <> ?", b->id, row).next())
+      continue;
     if (a) database_.run("UPDATE measurement SET current = 0 WHERE id = ?", a->id);
     if (b) database_.run("UPDATE measurement SET current = 1 WHERE id = ?", b->id);
     database_.run("UPDATE sherd_measure SET " + name + " = ? WHERE sherd = ?",

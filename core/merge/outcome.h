@@ -37,6 +37,7 @@ struct Deferred {
 struct TakenNumber {
   std::string sherd, number;
   bool numbered = false;  ///< else the sherd is void and needs none
+  std::string wanted;     ///< what a person calls it from now on; empty: nobody said
 };
 
 /// A file of B that A gets.

@@ -9,7 +9,7 @@
 namespace ostraka::merge {
 
 const char* nameOf(Take take) {
-  return take == Take::A ? "a" : take == Take::B ? "b" : "number";
+  return take == Take::A ? "a" : take == Take::B ? "b" : take == Take::One ? "one" : "number";
 }
 
 bool Conflict::offers(Take take) const {
@@ -43,13 +43,17 @@ Result<Settled> readSettled(const std::filesystem::path& file) {
                  : std::string();
     };
     const std::string id = text("id"), take = text("take"), number = text("number");
-    const bool one_side = (take == "a" || take == "b") && number.empty();
-    if (id.empty() || (!one_side && (number.empty() || !take.empty())))
+    const std::map<std::string, Take> takes = {
+        {"a", Take::A}, {"b", Take::B}, {"one", Take::One}, {"", Take::Number}};
+    const auto known = takes.find(take);
+    if (id.empty() || known == takes.end() || (known->second == Take::Number && number.empty()) ||
+        (known->second == Take::One && !number.empty()))
       return unusable(message(
           "An entry of this file does not have the form {\"id\": \"…\", \"take\": \"a\"} (or "
-          "\"b\", or \"number\" with a new number): %1; nothing was merged. Correct the entry.",
+          "\"b\" or \"one\", or \"number\" with a new number): %1; nothing was merged. Correct "
+          "the entry.",
           entry.dump()));
-    const Choice choice{one_side ? (take == "a" ? Take::A : Take::B) : Take::Number, number};
+    const Choice choice{known->second, number};
     if (!settled.emplace(id, choice).second)
       return unusable(message(
           "The conflict %1 is settled twice in this file; nothing was merged. Keep one of the "

@@ -1,11 +1,14 @@
 #include "ui/merge/merge_dialog.h"
 
 #include <QAction>
+#include <QApplication>
+#include <QClipboard>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QTableWidget>
@@ -80,20 +83,25 @@ QWidget* MergeDialog::buildSettling() {
                      [this] { settle(merge::Take::A); });
   other_ = addPageAct(this, "mergeOther", "import", tr("Other project"), Qt::Key_2, this,
                       [this] { settle(merge::Take::B); });
-  renumber_ = addPageAct(this, "mergeNumber", "label", tr("New number"), Qt::Key_3, this,
-                         [this] { settle(merge::Take::Number); });
+  renumber_ = addPageAct(this, "mergeNumber", "label", tr("New number"), Qt::Key_3, this, [this] {
+    settle(offered(merge::Take::One) ? merge::Take::One : merge::Take::Number);
+  });
   undo_ = addPageAct(this, "mergeUndo", "undo", tr("Undo"), QKeySequence::Undo, &model_,
                      &MergeModel::undo);
-  new_number_ = named<QLineEdit>({"mergeNewNumber", tr("New number of the other project's record")},
-                                 settling_);
-  new_number_->setMinimumWidth(fontMetrics().averageCharWidth() * 16);
+  auto* label = new QLabel(tr("New number:"), settling_);
+  new_number_ = named<QLineEdit>(
+      {"mergeNewNumber", tr("New number of the record that does not keep it")}, settling_);
+  new_number_->setMinimumWidth(fontMetrics().averageCharWidth() * 24);
+  label->setBuddy(new_number_);
+  keep_ = actButton(settling_, this_);
   number_ = actButton(settling_, renumber_);
-  number_->setDefault(true);  // Return behind a typed number
   rest_ = iconButton(settling_, "mergeRest", "check", tr("All open ones: this project"), &model_,
                      &MergeModel::settleRestForThis);
-  filled(bareLayout<QHBoxLayout>(settling_),
-         {actButton(settling_, this_), actButton(settling_, other_), new_number_, number_,
-          Part::room(), rest_, actButton(settling_, undo_)});
+  auto* first = filled(new QHBoxLayout, {keep_, Part::room(), rest_});
+  auto* second = filled(new QHBoxLayout,
+                        {actButton(settling_, other_), Part::room(), actButton(settling_, undo_)});
+  auto* third = filled(new QHBoxLayout, {number_, Part::room(), label, new_number_});
+  filled(bareLayout<QVBoxLayout>(settling_), {first, second, third});
   return settling_;
 }
 
@@ -105,15 +113,27 @@ void MergeDialog::buildLayout() {
   summary_->setFont(scaledFont(*this, Look::kSection, true));
   notes_ = wrappedLabel(this, "mergeNotes");
   buildTable();
+  numbers_ = named<QPlainTextEdit>({"mergeNewNumbers", tr("Sherds with a new number")}, this);
+  numbers_->setReadOnly(true);
+  numbers_->setTabChangesFocus(true);
+  copy_ = iconButton(this, "mergeCopy", "table", tr("Copy list"), this,
+                     [this] { QApplication::clipboard()->setText(numbers_->toPlainText()); });
   bar_ = new QProgressBar(this);
   bar_->setAccessibleName(tr("Progress of the merge"));
   cancel_ = iconButton(this, "mergeCancel", "cancel", {}, this, &MergeDialog::leave);
   enter_ = new BigButton("mergeEnter", {}, this);
   connect(enter_, &QPushButton::clicked, &model_, &MergeModel::enter);
   auto* first = filled(new QHBoxLayout, {choose_, {source_, 1}});
-  auto* last = filled(new QHBoxLayout, {Part::room(), cancel_, enter_});
-  filled(new QVBoxLayout(this),
-         {first, summary_, notes_, {table_, 1}, buildSettling(), bar_, Part::room(), last});
+  auto* last = filled(new QHBoxLayout, {copy_, Part::room(), cancel_, enter_});
+  filled(new QVBoxLayout(this), {first,
+                                 summary_,
+                                 notes_,
+                                 {table_, 1},
+                                 buildSettling(),
+                                 {numbers_, 1},
+                                 bar_,
+                                 Part::room(),
+                                 last});
 }
 
 void MergeDialog::leave() {
@@ -132,13 +152,30 @@ std::vector<int> MergeDialog::selected() const {
   return {rows.begin(), rows.end()};
 }
 
+bool MergeDialog::offered(merge::Take take) const {
+  const std::vector<int> rows = selected();
+  return model_.state() == MergeModel::State::Settling &&
+         std::any_of(rows.begin(), rows.end(), [&](int row) {
+           return model_.conflicts()[static_cast<std::size_t>(row)].offers(take);
+         });
+}
+
+const merge::Conflict* MergeDialog::twoSherds() const {
+  const std::vector<int> rows = selected();
+  if (rows.size() != 1) return nullptr;
+  const merge::Conflict& one = model_.conflicts()[static_cast<std::size_t>(rows.front())];
+  return one.isOfTwoSherds() ? &one : nullptr;
+}
+
 void MergeDialog::settle(merge::Take take) {
   const std::vector<int> rows = selected();
-  const QString number = new_number_->text().trimmed();
+  const std::string number = new_number_->text().trimmed().toStdString();
   if (rows.empty()) return;
-  if (take == merge::Take::Number && number.isEmpty()) return new_number_->setFocus();
-  model_.settle(rows, {take, take == merge::Take::Number ? number.toStdString() : std::string()});
-  new_number_->clear();
+  if (take == merge::Take::Number && number.empty()) return new_number_->setFocus();
+  // What is proposed is known by the model, for either sherd.
+  const bool typed = twoSherds() != nullptr && new_number_->isModified();
+  const bool called = take == merge::Take::Number || (typed && take != merge::Take::One);
+  model_.settle(rows, {take, called ? number : std::string()});
   selectNext(rows.back());
 }
 
@@ -168,31 +205,64 @@ void MergeDialog::fill() {
   if (!conflicts.empty()) selectNext(-1);
 }
 
-void MergeDialog::showDecisions() {
-  const auto& conflicts = model_.conflicts();
-  const bool settling = model_.state() == MergeModel::State::Settling;
-  const auto offered = [&, rows = selected()](merge::Take take) {
-    return settling && std::any_of(rows.begin(), rows.end(), [&](int row) {
-             return conflicts[static_cast<std::size_t>(row)].offers(take);
-           });
+// What the keys do to those selected; of two sherds with one number, to both of them.
+void MergeDialog::showChoices() {
+  const merge::Conflict* one = twoSherds();
+  const std::vector<int> rows = selected();
+  const bool sherds = !rows.empty() && std::all_of(rows.begin(), rows.end(), [this](int row) {
+    return model_.conflicts()[static_cast<std::size_t>(row)].isOfTwoSherds();
+  });
+  const auto gets = [&](const std::string& number, const QString& named, const QString& unnamed) {
+    return one && !number.empty() ? named.arg(QString::fromStdString(number)) : unnamed;
   };
+  this_->setText(!sherds
+                     ? tr("This project")
+                     : gets(one ? one->new_b : std::string(),
+                            tr("Two sherds: this project's keeps the number, the other's gets %1"),
+                            tr("Two sherds: this project's keeps the number, the other's gets a new one")));
+  other_->setText(
+      !sherds ? tr("Other project")
+              : gets(one ? one->new_a : std::string(),
+                     tr("Two sherds: the other's keeps the number, this project's gets %1"),
+                     tr("Two sherds: the other's keeps the number, this project's gets a new one")));
+  const bool can_be_one = offered(merge::Take::One);
+  renumber_->setText(can_be_one ? tr("One sherd: both records become one") : tr("New number"));
   this_->setEnabled(offered(merge::Take::A));
   other_->setEnabled(offered(merge::Take::B));
-  renumber_->setEnabled(offered(merge::Take::Number));
-  new_number_->setEnabled(renumber_->isEnabled());
+  renumber_->setEnabled(can_be_one || offered(merge::Take::Number));
+  new_number_->setEnabled(one != nullptr || offered(merge::Take::Number));
+  new_number_->setText(one ? QString::fromStdString(one->new_b) : QString());
+  (one ? keep_ : number_)->setDefault(true);  // Return behind a typed number
+}
+
+QString MergeDialog::decisionWords(const merge::Conflict& conflict) const {
+  const merge::Choice* choice = model_.choiceOf(conflict);
+  const auto number = [](const std::string& text) { return QString::fromStdString(text); };
+  if (!choice)
+    return conflict.new_b.empty() ? tr("Open")
+                                  : tr("Open; new number: %1").arg(number(conflict.new_b));
+  if (choice->take == merge::Take::One) return tr("One sherd");
+  if (choice->take == merge::Take::Number) return tr("New number %1").arg(number(choice->number));
+  const bool a = choice->take == merge::Take::A;
+  if (choice->number.empty()) return a ? tr("This project") : tr("Other project");
+  return (a ? tr("This project; the other sherd: %1") : tr("Other project; this sherd: %1"))
+      .arg(number(choice->number));
+}
+
+void MergeDialog::showDecisions() {
+  const auto& conflicts = model_.conflicts();
+  showChoices();
   undo_->setEnabled(model_.canUndo());
-  rest_->setEnabled(settling && model_.unsettled() > 0);
+  rest_->setEnabled(model_.state() == MergeModel::State::Settling && model_.unsettled() > 0);
   for (int row = 0; row < table_->rowCount(); ++row) {
-    const merge::Choice* choice = model_.choiceOf(conflicts[static_cast<std::size_t>(row)]);
+    const merge::Conflict& conflict = conflicts[static_cast<std::size_t>(row)];
+    const merge::Choice* choice = model_.choiceOf(conflict);
     const auto takes = [&](merge::Take take) { return choice && choice->take == take; };
     table_->item(row, kThis)->setIcon(takes(merge::Take::A) ? icon("check") : QIcon());
     table_->item(row, kOther)->setIcon(takes(merge::Take::B) ? icon("check") : QIcon());
     QTableWidgetItem* decision = table_->item(row, kDecision);
     decision->setIcon(choice ? icon("check") : icon("question"));
-    decision->setText(takes(merge::Take::A)   ? tr("This project")
-                      : takes(merge::Take::B) ? tr("Other project")
-                      : choice ? tr("New number %1").arg(QString::fromStdString(choice->number))
-                               : tr("Open"));
+    decision->setText(decisionWords(conflict));
   }
 }
 
@@ -213,6 +283,10 @@ void MergeDialog::refresh() {
   const bool shown = conflicts && state != State::Done;
   table_->setVisible(shown);
   settling_->setVisible(shown);
+  const QStringList renumbered = state == State::Done ? model_.newNumbers() : QStringList();
+  numbers_->setPlainText(renumbered.join('\n'));
+  numbers_->setVisible(!renumbered.isEmpty());
+  copy_->setVisible(!renumbered.isEmpty());
   bar_->setVisible(model_.isBusy());
   bar_->setRange(0, model_.fraction() > 0 ? 1000 : 0);  // how long a comparison takes is not known
   bar_->setValue(qRound(1000 * model_.fraction()));

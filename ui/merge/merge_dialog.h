@@ -7,6 +7,7 @@
 class QAction;
 class QLabel;
 class QLineEdit;
+class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
 class QTableWidget;
@@ -28,7 +29,12 @@ class MergeDialog final : public QDialog {
   void refresh();
   void fill();
   void showDecisions();
+  void showChoices();
+  QString decisionWords(const merge::Conflict& conflict) const;
   std::vector<int> selected() const;
+  bool offered(merge::Take take) const;  ///< by one of those selected
+  /// The conflict about a number of two sherds that is selected alone; null: none.
+  const merge::Conflict* twoSherds() const;
   void settle(merge::Take take);
   void selectNext(int after);
   void chooseFolder();
@@ -41,8 +47,9 @@ class MergeDialog final : public QDialog {
   QTableWidget* table_ = nullptr;
   QWidget* settling_ = nullptr;
   QAction *this_ = nullptr, *other_ = nullptr, *renumber_ = nullptr, *undo_ = nullptr;
-  QPushButton *number_ = nullptr, *rest_ = nullptr;
+  QPushButton *keep_ = nullptr, *number_ = nullptr, *rest_ = nullptr, *copy_ = nullptr;
   QLineEdit* new_number_ = nullptr;
+  QPlainTextEdit* numbers_ = nullptr;
   QProgressBar* bar_ = nullptr;
   QPushButton *cancel_ = nullptr, *enter_ = nullptr;
   const void* filled_ = nullptr;  ///< conflicts that the table shows

@@ -1,5 +1,6 @@
 #include "ui/merge/merge_model.h"
 
+#include <QCollator>
 #include <algorithm>
 #include <utility>
 
@@ -54,8 +55,11 @@ void MergeModel::settle(const std::vector<int>& conflicts, const merge::Choice& 
   merge::Settled settled = settled_;
   for (const int i : conflicts)
     if (const merge::Conflict& conflict = conflicts_.at(static_cast<std::size_t>(i));
-        conflict.offers(choice.take))
-      settled[conflict.id] = choice;
+        conflict.offers(choice.take)) {
+      merge::Choice& made = settled[conflict.id] = choice;
+      if (conflict.isOfTwoSherds() && made.number.empty() && made.take != merge::Take::One)
+        made.number = made.take == merge::Take::A ? conflict.new_b : conflict.new_a;
+    }
   earlier_.push_back(std::exchange(settled_, std::move(settled)));
   problem_.clear();
   emit changed();
@@ -86,21 +90,31 @@ QString MergeModel::summary() const {
                  : countWords(report);
 }
 
+QStringList MergeModel::newNumbers() const {
+  QStringList numbers;
+  if (!report_) return numbers;
+  for (const auto& [id, number] : report_->new_numbers)
+    numbers << QStringLiteral("%1 → %2").arg(QString::fromStdString(number.first),
+                                             QString::fromStdString(number.second));
+  QCollator order;
+  order.setNumericMode(true);
+  std::sort(numbers.begin(), numbers.end(), order);
+  return numbers;
+}
+
 QString MergeModel::notes() const {
   QStringList lines;
   if (!problem_.isEmpty()) lines << problem_;
   if (!report_) return lines.join('\n');
-  QStringList renumbered, numbers, missing;
+  const QStringList numbers = newNumbers();
+  QStringList renumbered, missing;
   for (const auto& [there, here] : report_->renumbered)
     renumbered << QStringLiteral("%1 → %2").arg(QString::fromStdString(there),
                                                 QString::fromStdString(here));
-  for (const auto& [id, number] : report_->new_numbers)
-    numbers << QStringLiteral("%1 → %2").arg(QString::fromStdString(number.first),
-                                             QString::fromStdString(number.second));
   for (const std::string& file : report_->missing) missing << QString::fromStdString(file);
   if (!renumbered.isEmpty())
     lines << tr("Batches that get another number here: %1").arg(firstOf(renumbered, kMostNamed));
-  if (!numbers.isEmpty())
+  if (!numbers.isEmpty() && state_ != State::Done)  // then the list has all of them
     lines << tr("Sherds that get another number here: %1").arg(firstOf(numbers, kMostNamed));
   if (!missing.isEmpty())
     lines << tr("Missing in the other project: %n file(s), %1", nullptr,

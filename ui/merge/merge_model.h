@@ -33,7 +33,8 @@ class MergeModel final : public QObject {
   const std::vector<merge::Conflict>& conflicts() const { return conflicts_; }
   const merge::Choice* choiceOf(const merge::Conflict& conflict) const;
   int unsettled() const;
-  /// Those of them that offer it.
+  /// Those of them that offer it. A number that two sherds have: without another one of the choice,
+  /// the sherd that loses it gets the one that is proposed.
   void settle(const std::vector<int>& conflicts, const merge::Choice& choice);
   void settleRestForThis();
   bool canUndo() const { return !earlier_.empty() && state_ == State::Settling; }
@@ -42,6 +43,8 @@ class MergeModel final : public QObject {
   QString summary() const;
   /// Batches that get another number, files that are missing, what went wrong: a line each.
   QString notes() const;
+  /// All sherds with another number, "before → now", a line each.
+  QStringList newNumbers() const;
   double fraction() const { return job_ ? job_->progress().fraction : 0; }
 
   bool canEnter() const;

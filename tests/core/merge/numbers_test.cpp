@@ -22,6 +22,9 @@ class TwoNumbers : public Conflicts {
     };
     return {id(*project_, in_a), id(b_, in_b)};
   }
+  static std::size_t sherdsIn(const upkeep::Project& project) {
+    return valueIn(sherds::Sherds(project.catalogue()).rows(sherds::Filter{}, {})).size();
+  }
   std::string ownerOf(const std::string& number) {
     return catalogue()
         .database()
@@ -52,11 +55,103 @@ TEST_F(TwoNumbers, ANumberGivenToTwoSherdsBecomesANewOne) {
   newSherd(*project_, context13, true);
   const std::string theirs = sherds::Sherds(b_.catalogue()).get(newSherd(b_, context13, true))->id;
   const Result<MergeReport> taken =
-      tried(*project_, b_, {{"number/" + theirs, {Take::Number, "ARM1-T3-0012-0001"}}});
+      tried(*project_, b_, {{"number/" + theirs, {Take::A, "ARM1-T3-0012-0001"}}});
   ASSERT_FALSE(taken);
   EXPECT_THAT(taken.error().what, testing::HasSubstr("never reused"));
-  settle({{"number/" + theirs, {Take::Number, "ARM1-T3-0013-0101"}}});
+  settle({{"number/" + theirs, {Take::A, "ARM1-T3-0013-0101"}}});
   EXPECT_EQ(saidOf(*project_, theirs, "number"), "ARM1-T3-0013-0101");
+}
+
+TEST_F(TwoNumbers, ANumberGoesToTheOtherAndTheOwnSherdIsCalledAsAPersonSays) {
+  const auto [own, theirs] = called("N-8", "N-8");
+  settle({{"number/" + theirs, {Take::B, "ARM1-T3-0013-0031"}}});
+  EXPECT_EQ(saidOf(*project_, theirs, "number"), "N-8");
+  EXPECT_EQ(saidOf(*project_, own, "number"), "ARM1-T3-0013-0031");
+  // It counts as one of the scheme: the next is behind it.
+  const store::SherdRow next = newSherd(*project_, context13, true);
+  EXPECT_EQ(saidOf(*project_, idOf(next), "number"), "ARM1-T3-0013-0032");
+}
+
+// Whichever way each is settled, no two sherds get one number.
+TEST_F(TwoNumbers, ThatAreOpenComeWithANewNumberForEitherSherd) {
+  const auto [own, theirs] = called("N-8", "N-8");
+  const auto [own_7, theirs_7] = called("N-7", "N-7");
+  std::map<std::string, std::pair<std::string, std::string>> proposed;
+  for (const Conflict& conflict : merged(*project_, b_).conflicts)
+    proposed[conflict.name] = {conflict.new_a, conflict.new_b};
+  EXPECT_THAT(proposed,
+              testing::ElementsAre(
+                  testing::Pair("N-7", testing::Pair("ARM1-T3-0013-0002", "ARM1-T3-0013-0002")),
+                  testing::Pair("N-8", testing::Pair("ARM1-T3-0013-0001", "ARM1-T3-0013-0001"))));
+  settle({{"number/" + theirs, {Take::B, proposed["N-8"].first}},
+          {"number/" + theirs_7, {Take::A, proposed["N-7"].second}}});
+  EXPECT_EQ(saidOf(*project_, own, "number"), "ARM1-T3-0013-0001");
+  EXPECT_EQ(saidOf(*project_, theirs_7, "number"), "ARM1-T3-0013-0002");
+}
+
+TEST_F(TwoNumbers, OfOneSherdAreOneRecordThatKeepsWhatBothSay) {
+  const auto [own, theirs] = called("N-8", "n-8");
+  const store::SherdRow mine = *sherds::Sherds(catalogue()).byId(own),
+                        other = *sherds::Sherds(b_.catalogue()).byId(theirs);
+  say(*project_, mine, "ware", "black");
+  say(b_, other, "ware", "grey");
+  say(b_, other, "note", "a foot");
+  say(b_, other, "weight_g", "12.5");
+  say(b_, other, "joins", "ARM1-T3-0012-0001");
+  const auto count = sherdsIn(*project_);
+  Settled settled = {{"number/" + theirs, take(Take::One)}};
+  EXPECT_THAT(openIn(merged(*project_, b_, settled)),
+              testing::UnorderedElementsAre("sherd/" + own + "/ware", "sherd/" + own + "/number"));
+  settled["sherd/" + own + "/ware"] = take(Take::B);
+  settled["sherd/" + own + "/number"] = take(Take::A);
+  ASSERT_TRUE(merged(*project_, b_, settled).entered);
+  EXPECT_EQ(sherdsIn(*project_), count);
+  EXPECT_EQ(saidOf(*project_, own, "number"), "N-8");
+  EXPECT_EQ(saidOf(*project_, own, "ware"), "grey");
+  EXPECT_EQ(saidOf(*project_, own, "note"), "a foot");
+  EXPECT_EQ(saidOf(*project_, own, "weight_g"), "12.5");
+  EXPECT_EQ(saidOf(*project_, own, "joins"), "ARM1-T3-0012-0001");
+  bool told = false;
+  for (const auto& entry : valueIn(History(catalogue()).of("sherd", mine.value)))
+    told |= entry.field == "one_with" && entry.new_value == theirs;
+  EXPECT_TRUE(told) << "the history does not say that they were made one";
+  const std::string content = contentIn(*project_);
+  EXPECT_THAT(merged(*project_, b_).conflicts, testing::IsEmpty());
+  EXPECT_EQ(contentIn(*project_), content);
+  EXPECT_THAT(merged(b_, *project_).conflicts, testing::IsEmpty());
+  EXPECT_EQ(saidOf(b_, theirs, "number"), "N-8");
+  EXPECT_EQ(saidOf(b_, theirs, "ware"), "grey");
+  EXPECT_EQ(sherdsIn(b_), count);
+}
+
+TEST_F(TwoNumbers, OfSherdsThatAreOneInOneProjectAndTwoInAnotherBecomeTwo) {
+  const auto [own, theirs] = called("N-8", "N-8");
+  say(*project_, *sherds::Sherds(catalogue()).byId(own), "weight_g", "7");
+  say(b_, *sherds::Sherds(b_.catalogue()).byId(theirs), "weight_g", "7");
+  upkeep::Project c = copied("c");  // has the own one
+  merged(c, b_, {{"number/" + theirs, take(Take::A)}});
+  merged(*project_, b_, {{"number/" + theirs, take(Take::One)}});
+  const std::string other = saidOf(c, theirs, "number");
+  ASSERT_NE(other, "N-8");
+  ASSERT_TRUE(merged(*project_, c).entered);
+  EXPECT_EQ(saidOf(*project_, own, "number"), "N-8");
+  EXPECT_EQ(saidOf(*project_, own, "weight_g"), "7");
+  EXPECT_EQ(saidOf(*project_, theirs, "number"), other);
+  const std::string content = contentIn(*project_);
+  for (const upkeep::Project* project : {&b_, &c}) {
+    EXPECT_THAT(merged(*project_, *project).conflicts, testing::IsEmpty());
+    EXPECT_EQ(contentIn(*project_), content);
+  }
+  EXPECT_TRUE(catalogue().checkIntegrity());
+}
+
+TEST_F(TwoNumbers, OfSherdsThatOneProjectKnowsApartAreNeverOne) {
+  const auto [own, theirs] = called("N-8", "N-8");
+  merged(b_, *project_, {{"number/" + own, take(Take::A)}});  // B knows both
+  say(*project_, *sherds::Sherds(catalogue()).byId(own), "number", "N-9");
+  say(*project_, *sherds::Sherds(catalogue()).byId(own), "number", "N-8");
+  for (const Conflict& conflict : merged(*project_, b_).conflicts)
+    EXPECT_FALSE(conflict.offers(Take::One)) << conflict.id;
 }
 
 TEST_F(TwoNumbers, ANumberInOtherLettersGoesToTheOther) {
@@ -99,7 +194,7 @@ TEST_F(TwoNumbers, ANewNumberIsCheckedAsATypedOne) {
   for (const std::string& number : {std::string("8\0x", 3), std::string("a\nb"), std::string("  "),
                                     std::string("8\u202e"), std::string(121, 'x')}) {
     const Result<MergeReport> refused =
-        tried(*project_, b_, {{"number/" + theirs, {Take::Number, number}}});
+        tried(*project_, b_, {{"number/" + theirs, {Take::A, number}}});
     ASSERT_FALSE(refused) << number;
     EXPECT_EQ(refused.error().where, "number/" + theirs);
   }

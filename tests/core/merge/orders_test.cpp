@@ -144,6 +144,53 @@ TEST_P(Orders, GiveEachNumberToOneSherdThatSomeProjectGaveItTo) {
   }
 }
 
+// Each house entered the sherd N3 from its own list, and says that it is one sherd.
+TEST_P(Orders, MakeOneSherdOfTheRecordsOfEachHouse) {
+  Random random(GetParam());
+  upkeep::Project b = copied("b"), c = copied("c");
+  const std::vector<upkeep::Project*> projects = {&*project_, &b, &c};
+  const std::vector<std::string> fields = {"ware", "note", "vessel"};
+  for (std::size_t i = 0; i < projects.size(); ++i) {
+    const store::SherdRow sherd = newSherd(*projects[i], context13, false);
+    say(*projects[i], sherd, "number", "N3");
+    say(*projects[i], sherd, fields[i], "of " + std::to_string(i));
+    say(*projects[i], sherd, "weight_g", "7");
+  }
+  const auto once = [&](std::size_t into, std::size_t from) {
+    Settled settled;
+    MergeReport report = merged(*projects[into], *projects[from]);
+    for (const Conflict& conflict : report.conflicts) {
+      EXPECT_TRUE(conflict.offers(Take::One)) << conflict.id;
+      settled[conflict.id] = take(Take::One);
+    }
+    if (!report.entered) report = merged(*projects[into], *projects[from], settled);
+    ASSERT_TRUE(report.entered) << openIn(report).front();
+    EXPECT_THAT(report.new_numbers, testing::IsEmpty());
+  };
+  for (int i = 0; i < 4; ++i) {
+    const std::size_t into = random() % 3;
+    once(into, (into + 1 + random() % 2) % 3);
+  }
+  const std::vector<std::pair<std::size_t, std::size_t>> all_pairs = {{0, 1}, {0, 2}, {1, 0},
+                                                                      {2, 0}, {1, 2}, {2, 1}};
+  for (const auto& [into, from] : all_pairs) once(into, from);
+  for (const upkeep::Project* project : projects) {
+    const sherds::Sherds held(project->catalogue());
+    EXPECT_EQ(valueIn(held.rows(sherds::Filter{}, {})).size(), rows.size() + 1);
+    const store::SherdRow sherd = valueIn(held.byNumber("N3"));
+    ASSERT_TRUE(sherd);
+    for (std::size_t i = 0; i < projects.size(); ++i)
+      EXPECT_EQ(sherds::textOf(valueIn(held.get(sherd)), fields[i]), "of " + std::to_string(i));
+    EXPECT_EQ(sherds::textOf(valueIn(held.get(sherd)), "weight_g"), "7");
+    EXPECT_TRUE(project->catalogue().checkIntegrity());
+  }
+  for (const auto& [into, from] : all_pairs) {
+    const std::string before = contentIn(*projects[into]);
+    EXPECT_THAT(merged(*projects[into], *projects[from]).conflicts, testing::IsEmpty());
+    EXPECT_EQ(contentIn(*projects[into]), before) << "merging once more changes nothing";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(AnyOrder, Orders, testing::Range(1u, 7u));
 
 }  // namespace

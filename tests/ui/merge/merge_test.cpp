@@ -1,7 +1,10 @@
 // Another project comes into the open one: looked at, settled by a person, entered whole or not at
 // all; in a real window.
+#include <QApplication>
+#include <QClipboard>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
@@ -154,7 +157,7 @@ class MergeTest : public QObject {
     QCOMPARE(history(), before);
   }
 
-  void aNumberThatBothGaveGoesOnToANewOne() {
+  void aNumberThatBothGaveIsProposedANewOneWhichMayBeTyped() {
     numberedSherd(sample_->catalogue(), "black");
     numberedSherd(b_->catalogue(), "grey");
     compare();
@@ -162,15 +165,55 @@ class MergeTest : public QObject {
     QCOMPARE(cell(0, 1), QString("number"));
     QVERIFY(cell(0, 2).contains("ware: black"));
     QVERIFY(cell(0, 3).contains("ware: grey"));
-    QTest::keyClick(table(), Qt::Key_3);
+    const QString proposed = QString::fromStdString(model_->conflicts().front().new_b);
+    QVERIFY2(proposed.startsWith("ARM1-T3-0012-"), qPrintable(proposed));
+    QCOMPARE(cell(0, 4), "Open; new number: " + proposed);
     auto* number = child<QLineEdit>("mergeNewNumber");
-    QTRY_VERIFY(number->hasFocus());
+    QCOMPARE(number->text(), proposed);
+    QVERIFY(child<QPushButton>("mergeThisButton")->text().contains("the other's gets " + proposed));
+    QVERIFY(child<QPushButton>("mergeOtherButton")->text().contains("this project's gets " + proposed));
+    QTest::keyClick(table(), Qt::Key_1);
+    QCOMPARE(cell(0, 4), "This project; the other sherd: " + proposed);
+    number->setFocus();
+    number->selectAll();
     QTest::keyClicks(number, "ARM1-T3-0012-0123");  // its digits settle nothing
     QTest::keyClick(number, Qt::Key_Return);
-    QCOMPARE(cell(0, 4), QString("New number ARM1-T3-0012-0123"));
+    QCOMPARE(cell(0, 4), QString("This project; the other sherd: ARM1-T3-0012-0123"));
     QTest::mouseClick(enter(), Qt::LeftButton);
     QTRY_COMPARE(model_->state(), MergeModel::State::Done);
     QVERIFY(*sherds::Sherds(sample_->catalogue()).byNumber("ARM1-T3-0012-0123"));
+    auto* list = child<QPlainTextEdit>("mergeNewNumbers");
+    QVERIFY(list->isVisible());
+    QVERIFY2(list->toPlainText().endsWith("→ ARM1-T3-0012-0123"), qPrintable(list->toPlainText()));
+    QTest::mouseClick(child<QPushButton>("mergeCopy"), Qt::LeftButton);
+    QCOMPARE(QApplication::clipboard()->text(), list->toPlainText());
+  }
+
+  void twoRecordsOfOneSherdBecomeOne() {
+    numberedSherd(sample_->catalogue(), "black");
+    numberedSherd(b_->catalogue(), "black");
+    compare();
+    const int rows = child<QTableView>("sherds")->model()->rowCount();
+    QVERIFY(child<QPushButton>("mergeNumberButton")->text().startsWith("One sherd"));
+    QTest::keyClick(table(), Qt::Key_3);
+    QCOMPARE(cell(0, 4), QString("One sherd"));
+    QTest::mouseClick(enter(), Qt::LeftButton);
+    QTRY_COMPARE(model_->state(), MergeModel::State::Done);
+    QCOMPARE(child<QTableView>("sherds")->model()->rowCount(), rows);
+    QVERIFY(child<QPlainTextEdit>("mergeNewNumbers")->isHidden());
+  }
+
+  void everySherdWithANewNumberIsListedInTheEnd() {
+    for (int i = 0; i < 6; ++i) {
+      numberedSherd(sample_->catalogue(), "black");
+      numberedSherd(b_->catalogue(), "grey");
+    }
+    compare();
+    QTest::mouseClick(child<QPushButton>("mergeRest"), Qt::LeftButton);
+    QTest::mouseClick(enter(), Qt::LeftButton);
+    QTRY_COMPARE(model_->state(), MergeModel::State::Done);
+    QCOMPARE(model_->newNumbers().size(), 6);
+    QCOMPARE(child<QPlainTextEdit>("mergeNewNumbers")->toPlainText().split('\n').size(), 6);
   }
 
   void theCatalogueShowsWhatCame() {

@@ -1,4 +1,5 @@
 // What a person enters about a sherd is looked at, and saved or refused in place.
+#include <QPrinter>
 #include <algorithm>
 
 #include "intake/sherd_moves.h"
@@ -9,6 +10,9 @@
 #include "sherds/typed_numbers.h"
 #include "ui/catalogue/catalogue_screen.h"
 #include "ui/frame/project_session.h"
+#include "ui/map/asked_print.h"
+#include "ui/map/catalogue_labels.h"
+#include "ui/map/map_screen.h"
 #include "ui/sherds/bulk_edit.h"
 #include "ui/sherds/field_words.h"
 #include "ui/sherds/sherd_details.h"
@@ -17,6 +21,22 @@
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
+
+// Of those chosen, as the map prints them; the others have no number that could stand on one.
+void CatalogueScreen::printLabels() {
+  const std::vector<store::SherdRow> sherds = selected();
+  if (!session_ || sherds.empty()) return;
+  const QVector<SherdLabel> labels = sherdLabels(session_->project().catalogue(), sherds);
+  if (labels.isEmpty())
+    return complain(tr("Only sherds with a number get a label: assign the numbers first."));
+  askToPrint(
+      this, tr("sherd labels"),
+      MapScreen::tr("%n label(s) are sent to the printer.", nullptr, static_cast<int>(labels.size())),
+      [labels](QPrinter& printer, QString* why) {
+        return ostraka::ui::printLabels(printer, labels, why);
+      },
+      [this](const QString& sentence) { emit said(sentence); });
+}
 
 void CatalogueScreen::saveField(const QString& field, const QString& value) {
   if (!edits_) return;

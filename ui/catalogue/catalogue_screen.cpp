@@ -235,8 +235,10 @@ void CatalogueScreen::addActions() {
   QAction* number =
       add(tr("Assign numbers"), "label", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
           "giveNumbers", [this] { giveNumbers(); });
+  QAction* labels = add(tr("Print labels"), "print", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
+                        "printLabels", [this] { printLabels(); });
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  table_->addActions({edit, drawing, compare_, number});
+  table_->addActions({edit, drawing, compare_, number, labels});
 }
 
 // F2, Enter and a double click: what is chosen can be typed into at once.

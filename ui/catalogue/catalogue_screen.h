@@ -76,6 +76,7 @@ class CatalogueScreen final : public Screen {
   void tookProject(const QString& sentence);
   void openDetails();
   void compare();
+  void printLabels();
   void sherdsChanged(const std::vector<store::SherdRow>& sherds);
   void tellOfImports();
   void forgetImports();

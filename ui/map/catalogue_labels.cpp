@@ -11,6 +11,7 @@
 #include "intake/plate_sherds.h"
 #include "records/records.h"
 #include "records/sherd.h"
+#include "sherds/sherds.h"
 
 namespace ostraka::ui {
 namespace {
@@ -150,6 +151,22 @@ MapNumbers mapNumbers(const QVector<PlateSherd>& sherds) {
     numbers.shortened.insert(ending.key());
   }
   return numbers;
+}
+
+QVector<SherdLabel> sherdLabels(const catalogue::Catalogue& catalogue,
+                                std::span<const store::SherdRow> sherds) {
+  QVector<SherdLabel> labels;
+  const auto records = sherds::Sherds(catalogue).of(sherds);
+  if (!records) return labels;
+  for (const records::SherdRecord& sherd : *records) {
+    if (sherd.number.empty() || sherd.state == records::SherdState::Void) continue;
+    const QString number = QString::fromStdString(sherd.number);
+    labels.append({number,
+                   placeOf(sherd.site, sherd.trench, sherd.context_number, sherd.bag_number),
+                   {},
+                   codeOf(QLatin1Char('S'), number, sherd.id)});
+  }
+  return labels;
 }
 
 QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue, const QString& initials) {

@@ -1,6 +1,8 @@
 #pragma once
 #include <QVector>
+#include <span>
 
+#include "store/row.h"
 #include "ui/map/map_pages.h"
 
 namespace ostraka::catalogue {
@@ -35,6 +37,11 @@ QVector<SherdLabel> labelsOf(const QVector<PlateSherd>& sherds);
 
 /// What the map shows of their numbers.
 MapNumbers mapNumbers(const QVector<PlateSherd>& sherds);
+
+/// A label for each of these sherds that has a number and is not void, in their order, also where
+/// no map shows them: those of a list, or renumbered by a merge.
+QVector<SherdLabel> sherdLabels(const catalogue::Catalogue& catalogue,
+                                std::span<const store::SherdRow> sherds);
 
 /// A label for each bag of the project, by place, with the number of its sherds and who bagged
 /// them: who entered the bag, else `initials`, of who prints. Read by the camera or a code reader

@@ -8,19 +8,17 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "catalogue/batches.h"
-#include "files/output_place.h"
 #include "ui/frame/no_batch_yet.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
+#include "ui/map/asked_print.h"
 #include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"
 #include "ui/widgets/big_button.h"
@@ -246,27 +244,12 @@ QString MapScreen::unnumberedWords() const {
 void MapScreen::print() {
   if (!print_->isEnabled()) return;
   if (const QString none = unnumberedWords(); !none.isEmpty()) say(none);
-  askToPrint(tr("%1 map and labels").arg(batch_), tr("Map and labels are sent to the printer."),
-             [this](QPrinter& printer, QString* why) {
-               return printMap(printer, view_->picture(), labels(), pageTitle(), why);
-             });
-}
-
-void MapScreen::askToPrint(const QString& name, const QString& sent,
-                           std::function<bool(QPrinter& printer, QString* why)> paint) {
-  auto own = std::make_shared<QPrinter>();
-  own->setDocName(name);
-  auto* dialog = new QPrintDialog(own.get(), this);  // knows printing into a PDF file, too
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this,
-          [this, sent, paint, own](QPrinter* printer) {
-            const QString file = printer->outputFileName();
-            if (const Result<void> good = checkOutputPlace(file.toStdString()); !good)
-              return say(sentenceOf(good.error()));
-            QString why;
-            say(!paint(*printer, &why) ? why : file.isEmpty() ? sent : tr("Saved: %1").arg(file));
-          });
-  dialog->open();
+  askToPrint(
+      this, tr("%1 map and labels").arg(batch_), tr("Map and labels are sent to the printer."),
+      [this](QPrinter& printer, QString* why) {
+        return printMap(printer, view_->picture(), labels(), pageTitle(), why);
+      },
+      [this](const QString& sentence) { say(sentence); });
 }
 
 void MapScreen::printBags() {
@@ -276,9 +259,10 @@ void MapScreen::printBags() {
   if (labels.isEmpty())
     return say(tr("There is no bag yet: type one at the capture, or import a table of contexts."));
   askToPrint(
-      tr("bag labels"),
+      this, tr("bag labels"),
       tr("%n label(s) are sent to the printer.", nullptr, static_cast<int>(labels.size())),
-      [labels](QPrinter& printer, QString* why) { return printLabels(printer, labels, why); });
+      [labels](QPrinter& printer, QString* why) { return printLabels(printer, labels, why); },
+      [this](const QString& sentence) { say(sentence); });
 }
 
 }  // namespace ostraka::ui

@@ -49,9 +49,6 @@ class MapScreen final : public PlateScreen {
   QVector<PlateSherd> sherds() const;
   void allowPrint(const QString& why_not);  ///< empty: it may be printed
   bool isOfScans() const;
-  /// name: proposed for a PDF file.
-  void askToPrint(const QString& name, const QString& sent,
-                  std::function<bool(QPrinter& printer, QString* why)> paint);
   QString unnumberedWords() const;
   QString dayOf(const MapPicture& picture) const;
   QString pageTitle() const;

@@ -15,6 +15,7 @@
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/filter.h"
+#include "sherds/numbers.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
 #include "tests/ui/program.h"
@@ -28,6 +29,7 @@ class CatalogueLabelsTest : public QObject {
  private slots:
   void aNumberedSherdHasItsNumberAndAnotherTheBatchs();
   void aBagsLabelIsReadBackAsItsPlace();
+  void sherdsOfNoMapGetTheirLabelsOnceTheyHaveANumber();
   void aBagsLabelIsReadBackWhateverItsCodesLookLike_data();
   void aBagsLabelIsReadBackWhateverItsCodesLookLike();
   void aBagsLabelSaysHowManySherdsAndWhoBaggedThem();
@@ -132,6 +134,28 @@ void CatalogueLabelsTest::aBagsLabelIsReadBackAsItsPlace() {
   QString why;
   QVERIFY2(printLabels(pdf, labels, &why), qPrintable(why));
   QVERIFY(QFileInfo(folder.filePath("bags.pdf")).size() > 1000);
+}
+
+void CatalogueLabelsTest::sherdsOfNoMapGetTheirLabelsOnceTheyHaveANumber() {
+  QTemporaryDir folder;
+  const auto project = projectIn(folder.filePath("project").toStdString(), "ARM");
+  catalogue::Catalogue& rows = project->catalogue();
+  QVERIFY(bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {}).has_value());
+  const records::BagRecord bag = catalogue::Places(rows).bags()->front();
+  std::vector<store::SherdRow> sherds;
+  for (int i = 0; i < 3; ++i) {
+    records::SherdRecord sherd;
+    sherd.context = bag.context;
+    sherd.bag = bag.row;
+    sherds.push_back(*sherds::Sherds(rows).add(sherd, {}));
+  }
+  QVERIFY(sherds::Numbers(rows).assign(std::span(sherds).first(2), {}).has_value());
+  QVERIFY(sherds::Sherds(rows).voidSherd(sherds[1], "a stone", {}).has_value());
+  const QVector<SherdLabel> labels = sherdLabels(rows, sherds);
+  QCOMPARE(labels.size(), 1);
+  QCOMPARE(labels[0].number, QStringLiteral("ARM1-T3-0012-0001"));
+  QCOMPARE(labels[0].context, QStringLiteral("ARM1 / T3 / 0012, bag 4"));
+  QVERIFY(labels[0].code.startsWith("OST1:S:ARM1-T3-0012-0001:"));
 }
 
 void CatalogueLabelsTest::aBagsLabelIsReadBackWhateverItsCodesLookLike_data() {

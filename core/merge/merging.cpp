@@ -108,7 +108,8 @@ void Merging::readAliases() {
       const std::string other = key.substr(std::string_view(kSameRow).size());
       for (const auto& [mine, theirs] : {std::pair(value, other), {other, value}}) {
         if (!rows_.contains(mine) || rows_.contains(theirs) || !tableWith(b_, theirs)) continue;
-        if (a_.table("sherd").find(mine) && b_.table("sherd").find(theirs)) continue;  // readSameSherds
+        if (a_.table("sherd").find(mine) && b_.table("sherd").find(theirs))
+          continue;  // readSameSherds
         // One of A's own that does not fit came with a merge, and means nothing.
         if (canBeSame(a_, mine, b_, theirs))
           alias_[theirs] = mine;

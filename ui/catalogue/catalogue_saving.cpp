@@ -31,7 +31,8 @@ void CatalogueScreen::printLabels() {
     return complain(tr("Only sherds with a number get a label: assign the numbers first."));
   askToPrint(
       this, tr("sherd labels"),
-      MapScreen::tr("%n label(s) are sent to the printer.", nullptr, static_cast<int>(labels.size())),
+      MapScreen::tr("%n label(s) are sent to the printer.", nullptr,
+                    static_cast<int>(labels.size())),
       [labels](QPrinter& printer, QString* why) {
         return ostraka::ui::printLabels(printer, labels, why);
       },

@@ -215,16 +215,18 @@ void MergeDialog::showChoices() {
   const auto gets = [&](const std::string& number, const QString& named, const QString& unnamed) {
     return one && !number.empty() ? named.arg(QString::fromStdString(number)) : unnamed;
   };
-  this_->setText(!sherds
-                     ? tr("This project")
-                     : gets(one ? one->new_b : std::string(),
-                            tr("Two sherds: this project's keeps the number, the other's gets %1"),
-                            tr("Two sherds: this project's keeps the number, the other's gets a new one")));
+  this_->setText(
+      !sherds
+          ? tr("This project")
+          : gets(one ? one->new_b : std::string(),
+                 tr("Two sherds: this project's keeps the number, the other's gets %1"),
+                 tr("Two sherds: this project's keeps the number, the other's gets a new one")));
   other_->setText(
-      !sherds ? tr("Other project")
-              : gets(one ? one->new_a : std::string(),
-                     tr("Two sherds: the other's keeps the number, this project's gets %1"),
-                     tr("Two sherds: the other's keeps the number, this project's gets a new one")));
+      !sherds
+          ? tr("Other project")
+          : gets(one ? one->new_a : std::string(),
+                 tr("Two sherds: the other's keeps the number, this project's gets %1"),
+                 tr("Two sherds: the other's keeps the number, this project's gets a new one")));
   const bool can_be_one = offered(merge::Take::One);
   renumber_->setText(can_be_one ? tr("One sherd: both records become one") : tr("New number"));
   this_->setEnabled(offered(merge::Take::A));

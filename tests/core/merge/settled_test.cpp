@@ -21,7 +21,8 @@ class SettledFile : public testing::Test {
 TEST_F(SettledFile, SaysWhatToTakeOfEachConflict) {
   const Result<Settled> settled =
       read(R"([{"id": "sherd/1/ware", "take": "b"}, {"id": "context/2", "number": "X-7"},
-             {"id": "number/3", "take": "a", "number": "X-8"}, {"id": "number/4", "take": "one"}])");
+             {"id": "number/3", "take": "a", "number": "X-8"},
+             {"id": "number/4", "take": "one"}])");
   ASSERT_TRUE(settled) << settled.error().sentence();
   EXPECT_EQ(settled->at("sherd/1/ware").take, Take::B);
   EXPECT_EQ(settled->at("context/2").take, Take::Number);

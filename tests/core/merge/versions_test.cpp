@@ -41,7 +41,7 @@ TEST_F(Versions, OfANumberGivenToTwoSherdsSayWhatTellsThemApart) {
   EXPECT_THAT(number.a.values, testing::ElementsAre(testing::Pair("context", "ARM1-T3-0013"),
                                                     testing::Pair("ware", "grey")));
   EXPECT_THAT(number.b.values, testing::Contains(testing::Pair("ware", "red")));
-  EXPECT_TRUE(number.offers(Take::Number));
+  EXPECT_TRUE(number.offers(Take::One));
 }
 
 }  // namespace

@@ -171,7 +171,8 @@ class MergeTest : public QObject {
     auto* number = child<QLineEdit>("mergeNewNumber");
     QCOMPARE(number->text(), proposed);
     QVERIFY(child<QPushButton>("mergeThisButton")->text().contains("the other's gets " + proposed));
-    QVERIFY(child<QPushButton>("mergeOtherButton")->text().contains("this project's gets " + proposed));
+    QVERIFY(
+        child<QPushButton>("mergeOtherButton")->text().contains("this project's gets " + proposed));
     QTest::keyClick(table(), Qt::Key_1);
     QCOMPARE(cell(0, 4), "This project; the other sherd: " + proposed);
     number->setFocus();

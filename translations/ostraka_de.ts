@@ -533,6 +533,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>vom virtuellen Messplatz erfunden</translation>
     </message>
+    <message>
+      <source>context %1, although %2 exists</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Befund %1, obwohl es %2 gibt</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>

@@ -533,6 +533,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>επινοημένη από την εικονική διάταξη</translation>
     </message>
+    <message>
+      <source>context %1, although %2 exists</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πλαίσιο %1, αν και υπάρχει το %2</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>

@@ -533,6 +533,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>inventado por el equipo virtual</translation>
     </message>
+    <message>
+      <source>context %1, although %2 exists</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contexto %1, aunque ya existe %2</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>

@@ -533,6 +533,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>inventé par le banc virtuel</translation>
     </message>
+    <message>
+      <source>context %1, although %2 exists</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contexte %1, alors que %2 existe</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>

@@ -533,6 +533,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>վիրտուալ սարքակազմի հորինածը</translation>
     </message>
+    <message>
+      <source>context %1, although %2 exists</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>համատեքստ %1, թեև %2-ը կա</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>

@@ -532,6 +532,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>sanal düzeneğin uydurduğu</translation>
     </message>
+    <message>
+      <source>context %1, although %2 exists</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kontekst %1, oysa %2 var</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>

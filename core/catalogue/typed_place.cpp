@@ -237,6 +237,18 @@ Result<std::optional<BagPlace>> typedPlace(const Catalogue& catalogue, const std
   });
 }
 
+Result<std::string> contextReadAlike(const Catalogue& catalogue, const BagPlace& place) {
+  return catalogue.database().asResult([&] {
+    for (const records::ContextRecord& known : store::valueOrThrow(Places(catalogue).contexts()))
+      if (store::codeKey(known.site_code) == store::codeKey(place.site) &&
+          store::codeKey(known.trench_code) == store::codeKey(place.trench) &&
+          store::codeKey(known.number) != store::codeKey(place.context) &&
+          store::sortKey(known.number) == store::sortKey(place.context))
+        return known.number;
+    return std::string();
+  });
+}
+
 std::string placeOfRenamedSite(const Catalogue& catalogue, const std::string& text,
                                const std::string& from, const std::string& to) {
   const std::string key = store::codeKey(from);

@@ -21,6 +21,10 @@ enum class Named { Context, Bag };
 Result<std::optional<BagPlace>> typedPlace(const Catalogue& catalogue, const std::string& text,
                                            Named what, const BagPlace& below = {});
 
+/// The number of a context in the same site and trench that people read as this one, though it is
+/// another: 12 for 0012 (store::sortKey). Empty: there is none.
+Result<std::string> contextReadAlike(const Catalogue& catalogue, const BagPlace& place);
+
 /// Setting: the place that a person typed last for a batch; Settings::rename keeps it in step.
 inline constexpr const char* kCapturePlace = "capture.place";
 

@@ -159,7 +159,15 @@ QString newOf(const Catalogue& rows, const PlaceText& place) {
   QStringList fresh;
   if (!site) fresh << words(QT_TRANSLATE_NOOP("PlaceText", "site %1"), place.site);
   if (!trench) fresh << words(QT_TRANSLATE_NOOP("PlaceText", "trench %1"), place.trench);
-  if (!context) fresh << words(QT_TRANSLATE_NOOP("PlaceText", "context %1"), place.context);
+  if (!context) {
+    const auto alike = catalogue::contextReadAlike(
+        rows,
+        {place.site.toStdString(), place.trench.toStdString(), place.context.toStdString(), {}});
+    fresh << (alike && !alike->empty()
+                  ? QCoreApplication::translate("PlaceText", "context %1, although %2 exists")
+                        .arg(place.context, QString::fromStdString(*alike))
+                  : words(QT_TRANSLATE_NOOP("PlaceText", "context %1"), place.context));
+  }
   if (!bag) fresh << words(QT_TRANSLATE_NOOP("PlaceText", "bag %1"), place.bag);
   return fresh.join(QStringLiteral(", "));
 }

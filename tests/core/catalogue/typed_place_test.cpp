@@ -29,6 +29,17 @@ TEST_F(TypedPlaces, LeadOnlyToKnownContexts) {
     EXPECT_FALSE(read(text, Named::Bag)) << text;
 }
 
+TEST_F(TypedPlaces, ThatDifferFromAKnownOneInZerosOnlyAreNamed) {
+  const auto alike = [&](const BagPlace& place) {
+    return valueIn(contextReadAlike(catalogue(), place));
+  };
+  EXPECT_EQ(alike({"ARM1", "T3", "12", ""}), "0012");
+  EXPECT_EQ(alike({"arm1", "t3", "012", ""}), "0012");
+  EXPECT_EQ(alike({"ARM1", "T3", "0012", ""}), "") << "it is that one";
+  EXPECT_EQ(alike({"ARM1", "T3", "112", ""}), "");
+  EXPECT_EQ(alike({"ARM1", "", "12", ""}), "") << "in the site itself";
+}
+
 TEST_F(TypedPlaces, MayHaveBlanksWithinTheirNames) {
   bag(context("K 12"), "1");
   context("K15");

@@ -79,6 +79,8 @@ class PlaceTextTest : public QObject {
     QCOMPARE(siteOf(rows), QStringLiteral("ARM1"));
     QCOMPARE(newOf(rows, {"ARM1", "T3", "0012", "5"}), QStringLiteral("bag 5"));
     QCOMPARE(newOf(rows, {"ARM1", "", "0012", "4"}), QStringLiteral("context 0012, bag 4"));
+    QCOMPARE(newOf(rows, {"ARM1", "T3", "12", "4"}),
+             QStringLiteral("context 12, although 0012 exists, bag 4"));
     QCOMPARE(newOf(rows, {"ARM1", "T9", "1", "5"}), QStringLiteral("trench T9, context 1, bag 5"));
     QCOMPARE(newOf(rows, {"XX", "9", "foo", "77"}),
              QStringLiteral("site XX, trench 9, context foo, bag 77"));

@@ -207,7 +207,7 @@ CREATE TABLE given_number (
   slug_key TEXT NOT NULL UNIQUE,     -- of the file names made from it
   number TEXT NOT NULL, sherd INTEGER NOT NULL REFERENCES sherd, at INTEGER NOT NULL
 ) STRICT;
--- The running numbers of a place, which is written with blanks (char(160): one that joins) or without.
+-- The running numbers of a place, written with blanks (char(160) is one that joins) or without.
 CREATE INDEX given_number_place ON given_number (
   replace(replace(number_key, ' ', ''), char(160), ''));
 CREATE INDEX given_number_sherd ON given_number (sherd);

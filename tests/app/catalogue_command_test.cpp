@@ -283,6 +283,7 @@ TEST_F(CatalogueCommand, SaysWhichValuesChange) {
   EXPECT_EQ(run(import("other.csv")), 0);
   EXPECT_EQ(said_["changes"].size(), 25u);
   EXPECT_EQ(said_["changes"][0]["old"], "grey");
+  EXPECT_EQ(said_["changes"][0]["line"], 2);
 }
 
 TEST_F(CatalogueCommand, ThatIsInterruptedIsNotWhole) {

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
@@ -130,6 +131,20 @@ class CaptureImportTest : public CaptureBench {
     QVERIFY(!divided->isVisible());
     QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_3.jpg"));
     QVERIFY(child<QLabel>("importBack")->text().contains("IMG_4.jpg to IMG_7.jpg"));
+  }
+
+  void theFolderOfTheFrontIsRefusedForTheBackAtOnce() {
+    photographs("series", 8);
+    drop({disk_->filePath("series")});
+    QTRY_VERIFY(screen_->findChild<ImportAsk*>()->isVisible());
+    QTest::mouseClick(child<QPushButton>("importBackFolder"), Qt::LeftButton);
+    auto* dialog = screen_->findChild<QFileDialog*>();
+    QVERIFY(dialog != nullptr);
+    dialog->close();
+    emit dialog->fileSelected(disk_->filePath("series"));
+    QVERIFY(shownMessage() != nullptr);
+    QVERIFY(shownMessage()->words().contains("those of the front already"));
+    QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_3.jpg"));
   }
 
   void theLineAtTheHeadIsOfTheImportsOwnBag() {

@@ -324,10 +324,6 @@ class ImportTest : public QObject {
     QCOMPARE(again->sides().front.front(), path("fronts/0.jpg"));
     QCOMPARE(again->sides().back.size(), std::size_t{6});
     QVERIFY(!withBack(*both, QString::fromStdString(path("project").string())).has_value());
-    const auto same = withBack(**split, QString::fromStdString(path("fronts").string()));
-    QVERIFY(!same.has_value());
-    QVERIFY(same.error().what.english().find("of the front already") != std::string::npos);
-    QCOMPARE(same.error().where, path("fronts").string());
   }
 
   void withoutAPauseAPersonSaysWhereItIsDivided() {

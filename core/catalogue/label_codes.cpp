@@ -103,6 +103,30 @@ Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, store::BagRo
   return catalogue.database().asResult([&] { return placeBy(catalogue, "bag.row = ?", bag); });
 }
 
+Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue,
+                                        const records::BatchRecord& batch) {
+  return catalogue.database().asResult([&]() -> std::optional<BagPlace> {
+    if (batch.bags.empty()) return {};
+    const store::BagRow first = batch.bags.front();
+    int contexts = 0, at_first = 0, bags = 0, without_bag = 0;
+    store::ContextRow context;
+    store::BagRow bag;
+    {
+      store::Statement sherds = catalogue.database().sql(
+          "SELECT count(DISTINCT context), count(CASE WHEN context = (SELECT context FROM bag "
+          "WHERE "
+          "row = ?2) THEN 1 END), count(DISTINCT bag), count(*) - count(bag), min(context), "
+          "min(bag) FROM sherd WHERE batch = ?1 AND state <> 'void' AND context IS NOT NULL",
+          batch.row, first);
+      sherds.read(contexts, at_first, bags, without_bag, context, bag);
+    }
+    if (contexts != 1 || at_first > 0) return placeBy(catalogue, "bag.row = ?", first);
+    if (bags == 1 && without_bag == 0) return placeBy(catalogue, "bag.row = ?", bag);
+    const auto known = store::valueOrThrow(Places(catalogue).context(context));
+    return BagPlace{known.site_code, known.trench_code, known.number, {}};
+  });
+}
+
 Result<store::BagRow> bagAt(const Catalogue& catalogue, const BagPlace& place,
                             const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {

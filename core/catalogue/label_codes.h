@@ -38,6 +38,11 @@ struct BagPlace {
 Result<std::optional<BagPlace>> placeOfLabel(const Catalogue& catalogue, const LabelCode& label);
 /// The place of a bag. None: no such bag.
 Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, store::BagRow bag);
+/// Where the sherds of a batch are from: the context that all of them have by now, and their bag
+/// where it is one for all; as long as one is still in the context of the batch's first bag, that
+/// bag. None: it has no bag.
+Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue,
+                                        const records::BatchRecord& batch);
 /// The bag's row, made with its context, trench and site where they are new. Capitals make no
 /// difference.
 Result<store::BagRow> bagAt(const Catalogue& catalogue, const BagPlace& place,

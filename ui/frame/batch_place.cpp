@@ -14,8 +14,7 @@
 namespace ostraka::ui {
 
 QString placeWords(const catalogue::Catalogue& rows, const records::BatchRecord& batch) {
-  if (batch.bags.empty()) return {};
-  const auto place = catalogue::placeOf(rows, batch.bags.front());
+  const auto place = catalogue::placeOf(rows, batch);
   if (!place || !*place) return {};
   QStringList parts;
   for (const std::string& part : {(*place)->site, (*place)->trench, (*place)->context})

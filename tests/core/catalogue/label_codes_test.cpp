@@ -32,6 +32,36 @@ TEST_F(LabelCodes, LeadABagBackToItsPlaceWhateverItsCodesAreByNow) {
       << "of another project";
 }
 
+TEST_F(LabelCodes, ABatchIsWhereAllOfItsSherdsAreByNow) {
+  records::BatchRecord record;
+  record.bags = {bag4};
+  const store::BatchRow row = *Batches(catalogue()).add(record, anna);
+  std::vector<store::SherdRow> sherds;
+  for (int i = 0; i < 2; ++i) {
+    records::SherdRecord sherd;
+    sherd.batch = row;
+    sherd.context = context12;
+    sherd.bag = bag4;
+    sherds.push_back(*sherds::Sherds(catalogue()).add(sherd, anna));
+  }
+  const auto place = [&] {
+    return *valueIn(placeOf(catalogue(), Batches(catalogue()).all()->front()));
+  };
+  const auto move = [&](store::SherdRow sherd, const std::string& context, const std::string& bag) {
+    const std::vector<records::FieldChange> changes = {{sherd, "context", context},
+                                                       {sherd, "bag", bag}};
+    const auto moved = sherds::SherdChanges(catalogue()).apply(changes, anna);
+    EXPECT_TRUE(moved) << (moved ? "" : moved.error().sentence().english());
+  };
+  EXPECT_EQ(place(), (BagPlace{"ARM1", "T3", "0012", "4"}));
+  move(sherds[0], "0013", "");
+  EXPECT_EQ(place(), (BagPlace{"ARM1", "T3", "0012", "4"})) << "one is still there";
+  move(sherds[1], "0013", "");
+  EXPECT_EQ(place(), (BagPlace{"ARM1", "T3", "0013", ""}));
+  for (const store::SherdRow sherd : sherds) move(sherd, "0013", "1");
+  EXPECT_EQ(place(), (BagPlace{"ARM1", "T3", "0013", "1"}));
+}
+
 TEST_F(LabelCodes, ABagIsMadeOnceInAnyCapitals) {
   EXPECT_EQ(*bagAt(catalogue(), {"ARM1", "T3", "0012", "4"}, anna), bag4);
   EXPECT_EQ(*bagAt(catalogue(), {" arm1", "t3 ", "0012", "4"}, anna), bag4);

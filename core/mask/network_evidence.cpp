@@ -21,8 +21,10 @@ constexpr double kUnseen = 0.1, kSeen = 0.5, kFlat = 0.3;
 // Shade: less than three quarters of the light of the bare plate. High: rather so by the heights.
 // +-50 % of these and the share: at most 0.004 of the 0.013 that batches/hand gains
 // (docs/experiments.md).
-constexpr float kDark = -0.3F, kHigh = 1;
+constexpr float kDark = -0.3F, kHigh = 1, kSurelyHigh = 3;
 constexpr double kSeldom = 0.005, kFewestDark = 1000;
+constexpr double kFewestOfAThing = 1 / kSeldom;  // in one photograph
+constexpr std::size_t kFewestViews = 3;
 constexpr float kUnlimited = 1e3F;
 
 bool isDark(const cv::Vec3f& residual) {
@@ -47,6 +49,38 @@ Groups groupsOf(const ViewState& view) {
       if (heights(y, x) < 0) group.low += 1;
     }
   return groups;
+}
+
+struct HighCells {
+  std::array<double, 256> by_probability{};
+  double all = 0;
+
+  void add(uchar probability) { by_probability[probability] += 1, all += 1; }
+  ShadeLimit limit() const {
+    ShadeLimit limit;
+    limit.fill(kUnlimited);
+    double so_far = 0;
+    for (int probability = 0; probability < 256; ++probability) {
+      so_far += by_probability[probability];
+      if (so_far > kSeldom * all) break;
+      limit[probability] = segmentation::networkLogOdds(probability);
+    }
+    return limit;
+  }
+};
+
+// By probability the median, without a limit where there are too few.
+ShadeLimit mostOf(const std::vector<ShadeLimit>& limits) {
+  ShadeLimit most;
+  most.fill(kUnlimited);
+  if (limits.size() < kFewestViews) return most;
+  for (std::size_t p = 0; p < most.size(); ++p) {
+    std::vector<float> values;
+    for (const ShadeLimit& limit : limits) values.push_back(limit[p]);
+    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+    most[p] = values[values.size() / 2];
+  }
+  return most;
 }
 
 }  // namespace
@@ -101,41 +135,55 @@ std::vector<unsigned char> findFlatGroups(std::span<const ViewState> views) {
 }
 
 ShadeLimits learnShadeLimits(std::span<const ViewState> views, int reduction) {
-  std::array<double, 256> cells{};  // dark and high, by probability
-  double all = 0;
-  for (const ViewState& view : views) {
+  HighCells dark;
+  std::vector<std::map<unsigned char, HighCells>> cells(views.size());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const ViewState& view = views[i];
     cv::Mat1f heights;
     cv::resize(view.height_odds, heights, view.group.size(), 0, 0, cv::INTER_AREA);
     for (int y = 0; y < view.group.rows; ++y)
       for (int x = 0; x < view.group.cols; ++x) {
-        if (view.group(y, x) == 0 || heights(y, x) < kHigh) continue;
+        const unsigned char group = view.group(y, x);
+        if (group == 0) continue;
+        const uchar probability = view.probability(y, x);
+        HighCells& of_thing = cells[i][group];
+        if (heights(y, x) >= kSurelyHigh) of_thing.add(probability);
         const int row = y * reduction + reduction / 2, column = x * reduction + reduction / 2;
-        if (!isDark(view.residual(row, column))) continue;
-        cells[view.probability(y, x)] += 1, all += 1;
+        if (heights(y, x) >= kHigh && isDark(view.residual(row, column))) dark.add(probability);
       }
   }
   ShadeLimits limits;
-  limits.fill(kUnlimited);
-  double so_far = 0;
-  for (int probability = 0; probability < 256 && all >= kFewestDark; ++probability) {
-    so_far += cells[probability];
-    if (so_far > kSeldom * all) break;
-    limits[probability] = segmentation::networkLogOdds(probability);
-  }
+  limits.batch.fill(kUnlimited);
+  if (dark.all >= kFewestDark) limits.batch = dark.limit();
+  std::map<unsigned char, std::vector<ShadeLimit>> well_seen;
+  for (const auto& view : cells)
+    for (const auto& [group, of_thing] : view)
+      if (of_thing.all >= kFewestOfAThing) well_seen[group].push_back(of_thing.limit());
+  limits.things.resize(views.size());
+  for (std::size_t i = 0; i < views.size(); ++i)
+    for (const auto& [group, of_thing] : cells[i])
+      limits.things[i][group] =
+          of_thing.all >= kFewestOfAThing ? of_thing.limit() : mostOf(well_seen[group]);
   return limits;
 }
 
-void limitInShade(const ShadeLimits& limits, ViewState& view) {
-  if (limits.front() == kUnlimited) return;
-  cv::Mat1b probability;
+void limitInShade(const ShadeLimits& limits, std::size_t index, ViewState& view) {
+  std::array<const ShadeLimit*, 256> of_group;
+  of_group.fill(&limits.batch);
+  for (const auto& [group, limit] : limits.things[index]) of_group[group] = &limit;
+  cv::Mat1b probability, group;
   cv::Mat1f heights;
-  cv::resize(view.probability, probability, view.log_odds.size(), 0, 0, cv::INTER_LINEAR);
-  cv::resize(view.height_odds, heights, view.log_odds.size(), 0, 0, cv::INTER_LINEAR);
+  const cv::Size size = view.log_odds.size();
+  cv::resize(view.probability, probability, size, 0, 0, cv::INTER_LINEAR);
+  cv::resize(view.group, group, size, 0, 0, cv::INTER_NEAREST);
+  cv::resize(view.height_odds, heights, size, 0, 0, cv::INTER_LINEAR);
   for (int y = 0; y < heights.rows; ++y)
     for (int x = 0; x < heights.cols; ++x)
       if (isDark(view.residual(y, x))) {
         float& odds = view.log_odds(y, x);
-        odds = std::min(odds, limits[probability(y, x)] + std::max(0.F, heights(y, x)));
+        const uchar p = probability(y, x);
+        const float limit = std::min(limits.batch[p], (*of_group[group(y, x)])[p]);
+        odds = std::min(odds, limit + std::max(0.F, heights(y, x)));
       }
 }
 

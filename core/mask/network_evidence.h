@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <map>
 #include <opencv2/core/mat.hpp>
 #include <span>
 #include <stop_token>
@@ -29,11 +30,18 @@ std::vector<unsigned char> findFlatGroups(std::span<const ViewState> views);
 /// In the shade under a sherd its plate has grain of its own and the clay's colour, which falls on
 /// it off the clay; only the network and the heights tell it from dark clay. For each probability
 /// of the network, 0..255: how much odds may say for a sherd where it is dark, heights left aside.
-/// That is what the network says where it hardly ever says so of what is dark and stands high, and
-/// without a limit elsewhere: a network without a notion of dark clay limits nothing.
-using ShadeLimits = std::array<float, 256>;
+/// That is what the network says where it hardly ever says so of what stands high, and without a
+/// limit elsewhere: a network without a notion of dark clay limits nothing.
+using ShadeLimit = std::array<float, 256>;
+struct ShadeLimits {
+  ShadeLimit batch;  ///< from all that is dark and stands high
+  /// By view and group of the hull, from what surely stands high there, dark or not; where a
+  /// photograph shows too little of a thing, what most of its other photographs say.
+  std::vector<std::map<unsigned char, ShadeLimit>> things;
+};
 /// views: after the hull is shown. reduction: as in hull::HullOptions.
 ShadeLimits learnShadeLimits(std::span<const ViewState> views, int reduction);
-void limitInShade(const ShadeLimits& limits, ViewState& view);
+/// index: of the view among those that the limits were learnt from.
+void limitInShade(const ShadeLimits& limits, std::size_t index, ViewState& view);
 
 }  // namespace ostraka::mask

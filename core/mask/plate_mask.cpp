@@ -79,7 +79,7 @@ class PlateMasker {
     overViews(&PlateMasker::showHull, kShow);
     if (!stop.stop_requested() && dropFlatThings(progress)) overViews(&PlateMasker::showHull, 0);
     shade_limits_ = learnShadeLimits(views_, hull_.reduction);
-    for (ViewState& view : views_) limitInShade(shade_limits_, view);
+    for (std::size_t i = 0; i < views_.size(); ++i) limitInShade(shade_limits_, i, views_[i]);
     const bool lasting = plate_.sheet && still_light_;  // shadows are in the first hull, too
     if (!lasting) knowShadows(), trustHull();
     if (!stop.stop_requested() && !plate_.sheet) nameShadows(by_camera, progress);
@@ -91,6 +91,7 @@ class PlateMasker {
       carveByMasks(stop);
       steps_->count(all * kCarve);
       overViews(&PlateMasker::showHull, kShow);
+      shade_limits_ = learnShadeLimits(views_, hull_.reduction);  // the hull has other groups now
       trustHull();
       overViews(&PlateMasker::cutView, kCut);
     }
@@ -433,7 +434,7 @@ class PlateMasker {
       cv::threshold(view.height_odds, surely, 3, 0, cv::THRESH_TOZERO);
       view.log_odds += heightsInTheLight(surely, view.residual);
     }
-    limitInShade(shade_limits_, view);
+    limitInShade(shade_limits_, index, view);
     const cv::Mat1b cut = cutWithHull(view, cut_options, mm);
     // The plate's z axis in the camera's frame, as it shows in the picture.
     const Eigen::Vector3d z = images_[index].camera_from_plate.linear().col(2);

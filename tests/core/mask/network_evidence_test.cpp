@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <opencv2/core.hpp>
 #include <stop_token>
 #include <vector>
 
@@ -90,7 +91,7 @@ constexpr Dark kDarkClay{250, 4}, kShade{5, 0.5F};
 
 TEST(ShadeLimits, AreWhatTheNetworkSaysWhereItKnowsDarkClay) {
   ViewState view = shadedView({kDarkClay, kShade, {5, 0.5F, 0}});
-  limitInShade(learnShadeLimits(std::vector{view}, 4), view);
+  limitInShade(learnShadeLimits(std::vector{view}, 4), 0, view);
   EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 0), 8);
   EXPECT_NEAR(oddsInTheMiddle(view, 1), std::log(5.0 / 250) + 0.5, 1e-4);
   EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 2), 8);  // in the light
@@ -101,7 +102,7 @@ TEST(ShadeLimits, LeaveWhatSurelyStandsHigh) {
   view.height_odds.colRange(2 * 80, 3 * 80) = 0.9F;  // not high enough to be learnt from
   const ShadeLimits limits = learnShadeLimits(std::vector{view}, 4);
   view.height_odds.colRange(2 * 80, 3 * 80) = 6;
-  limitInShade(limits, view);
+  limitInShade(limits, 0, view);
   EXPECT_GT(oddsInTheMiddle(view, 2), 2);
   EXPECT_LT(oddsInTheMiddle(view, 3), -5);
 }
@@ -111,14 +112,42 @@ TEST(ShadeLimits, AreNoneToANetworkThatOftenMissesDarkClay) {
   ViewState view = shadedView({kDarkClay, kShade});
   view.probability(cv::Rect(0, 0, 4, 4)) = 0;
   const std::vector<ViewState> before{view};
-  limitInShade(learnShadeLimits(before, 4), view);
+  limitInShade(learnShadeLimits(before, 4), 0, view);
   EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 1), 8);
 }
 
 TEST(ShadeLimits, AreNoneWhereNothingDarkStandsHigh) {
   ViewState view = shadedView({{250, 0}, kShade});
-  limitInShade(learnShadeLimits(std::vector{view}, 4), view);
+  limitInShade(learnShadeLimits(std::vector{view}, 4), 0, view);
   EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 1), 8);
+}
+
+// Things that the network knows, each with its shade in one group, and one that it misses.
+ViewState viewOfTwoThings(uchar first, uchar second) {
+  ViewState view = shadedView({{first, 4, 0}, kShade, {second, 4}, kShade});
+  view.group.colRange(80, 160) = uchar{2};
+  return view;
+}
+
+TEST(ShadeLimits, AreThoseOfEachThing) {
+  ViewState view = viewOfTwoThings(250, 0);
+  limitInShade(learnShadeLimits(std::vector{view}, 4), 0, view);
+  EXPECT_LT(oddsInTheMiddle(view, 1), -3);
+  EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 2), 8);  // black clay that the network misses
+  EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 3), 8);
+}
+
+TEST(ShadeLimits, AreThoseOfMostPhotographsWhereOneShowsTooLittle) {
+  std::vector<ViewState> views(4, viewOfTwoThings(250, 0));
+  views.push_back(viewOfTwoThings(0, 0));  // here the network misses the first, too
+  views.push_back(viewOfTwoThings(250, 0));
+  views.back().height_odds.colRange(0, 80) = 2.9F;
+  const ShadeLimits limits = learnShadeLimits(views, 4);
+  for (std::size_t i = 0; i < views.size(); ++i) limitInShade(limits, i, views[i]);
+  EXPECT_LT(oddsInTheMiddle(views[0], 1), -3);
+  EXPECT_FLOAT_EQ(oddsInTheMiddle(views[4], 1), 8);
+  EXPECT_LT(oddsInTheMiddle(views[5], 1), -3);
+  EXPECT_FLOAT_EQ(oddsInTheMiddle(views[5], 3), 8);
 }
 
 // A view of 64 x 64 pixels: bare paper but for a corner.

@@ -134,7 +134,7 @@ std::vector<unsigned char> findFlatGroups(std::span<const ViewState> views) {
   return flat;
 }
 
-ShadeLimits learnShadeLimits(std::span<const ViewState> views, int reduction) {
+ShadeLimits learnShadeLimits(std::span<const ViewState> views, int reduction, bool of_things) {
   HighCells dark;
   std::vector<std::map<unsigned char, HighCells>> cells(views.size());
   for (std::size_t i = 0; i < views.size(); ++i) {
@@ -155,11 +155,12 @@ ShadeLimits learnShadeLimits(std::span<const ViewState> views, int reduction) {
   ShadeLimits limits;
   limits.batch.fill(kUnlimited);
   if (dark.all >= kFewestDark) limits.batch = dark.limit();
+  limits.things.resize(views.size());
+  if (!of_things) return limits;
   std::map<unsigned char, std::vector<ShadeLimit>> well_seen;
   for (const auto& view : cells)
     for (const auto& [group, of_thing] : view)
       if (of_thing.all >= kFewestOfAThing) well_seen[group].push_back(of_thing.limit());
-  limits.things.resize(views.size());
   for (std::size_t i = 0; i < views.size(); ++i)
     for (const auto& [group, of_thing] : cells[i])
       limits.things[i][group] =

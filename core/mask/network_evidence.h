@@ -39,8 +39,9 @@ struct ShadeLimits {
   /// photograph shows too little of a thing, what most of its other photographs say.
   std::vector<std::map<unsigned char, ShadeLimit>> things;
 };
-/// views: after the hull is shown. reduction: as in hull::HullOptions.
-ShadeLimits learnShadeLimits(std::span<const ViewState> views, int reduction);
+/// views: after the hull is shown. reduction: as in hull::HullOptions. of_things: where shadows
+/// last; turned on a plate, dark flanks of clay that do not surely stand high would be lost.
+ShadeLimits learnShadeLimits(std::span<const ViewState> views, int reduction, bool of_things);
 /// index: of the view among those that the limits were learnt from.
 void limitInShade(const ShadeLimits& limits, std::size_t index, ViewState& view);
 

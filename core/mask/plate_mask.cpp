@@ -78,9 +78,9 @@ class PlateMasker {
     };
     overViews(&PlateMasker::showHull, kShow);
     if (!stop.stop_requested() && dropFlatThings(progress)) overViews(&PlateMasker::showHull, 0);
-    shade_limits_ = learnShadeLimits(views_, hull_.reduction);
-    for (std::size_t i = 0; i < views_.size(); ++i) limitInShade(shade_limits_, i, views_[i]);
     const bool lasting = plate_.sheet && still_light_;  // shadows are in the first hull, too
+    shade_limits_ = learnShadeLimits(views_, hull_.reduction, lasting);
+    for (std::size_t i = 0; i < views_.size(); ++i) limitInShade(shade_limits_, i, views_[i]);
     if (!lasting) knowShadows(), trustHull();
     if (!stop.stop_requested() && !plate_.sheet) nameShadows(by_camera, progress);
     overViews(&PlateMasker::askOthers, kAsk);
@@ -91,7 +91,7 @@ class PlateMasker {
       carveByMasks(stop);
       steps_->count(all * kCarve);
       overViews(&PlateMasker::showHull, kShow);
-      shade_limits_ = learnShadeLimits(views_, hull_.reduction);  // the hull has other groups now
+      shade_limits_ = learnShadeLimits(views_, hull_.reduction, true);  // its groups are others
       trustHull();
       overViews(&PlateMasker::cutView, kCut);
     }

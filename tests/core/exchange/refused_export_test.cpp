@@ -1,10 +1,12 @@
 // What an export leaves out or refuses.
 #include <gmock/gmock.h>
 
+#include "archive/archive.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "exchange/drawn_sherds.h"
 #include "exchange/export_folder.h"
+#include "exchange/read_back.h"
 #include "exported_project.h"
 #include "records/records.h"
 #include "records/sherd.h"
@@ -100,6 +102,14 @@ TEST_F(RefusedExport, NamesTheValueThatNoFileCanHold) {
   EXPECT_EQ(json.error().what, "The text is not valid UTF-8 or contains a zero byte.");
   EXPECT_THAT(json.error().where, testing::StartsWith("metadata/places.json/"));
   EXPECT_FALSE(fs::exists(folder_.path() / "out"));
+}
+
+TEST_F(RefusedExport, IsAnArchiveWhichIsToBeRestored) {
+  const fs::path archive = folder_.path() / "archive";
+  ASSERT_TRUE(archive::archiveProject(*project_, {archive}, quiet, {}));
+  const auto read = readBack(*project_, archive, tables::ImportMode::Preview, {}, quiet, {});
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().what.english(), testing::HasSubstr("catalogue restore"));
 }
 
 }  // namespace

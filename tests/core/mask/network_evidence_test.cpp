@@ -91,7 +91,7 @@ constexpr Dark kDarkClay{250, 4}, kShade{5, 0.5F};
 
 TEST(ShadeLimits, AreWhatTheNetworkSaysWhereItKnowsDarkClay) {
   ViewState view = shadedView({kDarkClay, kShade, {5, 0.5F, 0}});
-  limitInShade(learnShadeLimits(std::vector{view}, 4), 0, view);
+  limitInShade(learnShadeLimits(std::vector{view}, 4, true), 0, view);
   EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 0), 8);
   EXPECT_NEAR(oddsInTheMiddle(view, 1), std::log(5.0 / 250) + 0.5, 1e-4);
   EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 2), 8);  // in the light
@@ -100,7 +100,7 @@ TEST(ShadeLimits, AreWhatTheNetworkSaysWhereItKnowsDarkClay) {
 TEST(ShadeLimits, LeaveWhatSurelyStandsHigh) {
   ViewState view = shadedView({kDarkClay, kDarkClay, {5, 0.9F}, {0, 0}});
   view.height_odds.colRange(2 * 80, 3 * 80) = 0.9F;  // not high enough to be learnt from
-  const ShadeLimits limits = learnShadeLimits(std::vector{view}, 4);
+  const ShadeLimits limits = learnShadeLimits(std::vector{view}, 4, true);
   view.height_odds.colRange(2 * 80, 3 * 80) = 6;
   limitInShade(limits, 0, view);
   EXPECT_GT(oddsInTheMiddle(view, 2), 2);
@@ -112,13 +112,13 @@ TEST(ShadeLimits, AreNoneToANetworkThatOftenMissesDarkClay) {
   ViewState view = shadedView({kDarkClay, kShade});
   view.probability(cv::Rect(0, 0, 4, 4)) = 0;
   const std::vector<ViewState> before{view};
-  limitInShade(learnShadeLimits(before, 4), 0, view);
+  limitInShade(learnShadeLimits(before, 4, true), 0, view);
   EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 1), 8);
 }
 
 TEST(ShadeLimits, AreNoneWhereNothingDarkStandsHigh) {
   ViewState view = shadedView({{250, 0}, kShade});
-  limitInShade(learnShadeLimits(std::vector{view}, 4), 0, view);
+  limitInShade(learnShadeLimits(std::vector{view}, 4, true), 0, view);
   EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 1), 8);
 }
 
@@ -129,9 +129,15 @@ ViewState viewOfTwoThings(uchar first, uchar second) {
   return view;
 }
 
+TEST(ShadeLimits, AreThoseOfTheBatchAloneWhereShadowsTurn) {
+  ViewState view = viewOfTwoThings(250, 0);
+  limitInShade(learnShadeLimits(std::vector{view}, 4, false), 0, view);
+  for (int thing : {1, 2, 3}) EXPECT_FLOAT_EQ(oddsInTheMiddle(view, thing), 8);
+}
+
 TEST(ShadeLimits, AreThoseOfEachThing) {
   ViewState view = viewOfTwoThings(250, 0);
-  limitInShade(learnShadeLimits(std::vector{view}, 4), 0, view);
+  limitInShade(learnShadeLimits(std::vector{view}, 4, true), 0, view);
   EXPECT_LT(oddsInTheMiddle(view, 1), -3);
   EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 2), 8);  // black clay that the network misses
   EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 3), 8);
@@ -142,7 +148,7 @@ TEST(ShadeLimits, AreThoseOfMostPhotographsWhereOneShowsTooLittle) {
   views.push_back(viewOfTwoThings(0, 0));  // here the network misses the first, too
   views.push_back(viewOfTwoThings(250, 0));
   views.back().height_odds.colRange(0, 80) = 2.9F;
-  const ShadeLimits limits = learnShadeLimits(views, 4);
+  const ShadeLimits limits = learnShadeLimits(views, 4, true);
   for (std::size_t i = 0; i < views.size(); ++i) limitInShade(limits, i, views[i]);
   EXPECT_LT(oddsInTheMiddle(views[0], 1), -3);
   EXPECT_FLOAT_EQ(oddsInTheMiddle(views[4], 1), 8);

@@ -114,8 +114,7 @@ Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue,
     {
       store::Statement sherds = catalogue.database().sql(
           "SELECT count(DISTINCT context), count(CASE WHEN context = (SELECT context FROM bag "
-          "WHERE "
-          "row = ?2) THEN 1 END), count(DISTINCT bag), count(*) - count(bag), min(context), "
+          "WHERE row = ?2) THEN 1 END), count(DISTINCT bag), count(*) - count(bag), min(context), "
           "min(bag) FROM sherd WHERE batch = ?1 AND state <> 'void' AND context IS NOT NULL",
           batch.row, first);
       sherds.read(contexts, at_first, bags, without_bag, context, bag);

@@ -7,11 +7,12 @@
 #   packaging/stick.sh OUT.img --deb FILE|--bundle FILE [--encrypt|--exfat] [--root FOLDER]
 # --encrypt   the projects are encrypted; the passphrase is chosen at the first start
 # --exfat     Windows and macOS can read the projects; a power failure can harm them more than ext4
-# --root      the system is made in FOLDER and left there; one that is there already is used again
+# --root      the system is made in FOLDER and left there; one that is there already is used again,
+#             with the program of FILE
 set -euo pipefail
 export LC_ALL=C
 here=$(cd "$(dirname "$0")" && pwd)/stick
-usage() { sed -n '2,11s/^# \{0,1\}//p' "$0" >&2; exit 2; }
+usage() { sed -n '2,12s/^# \{0,1\}//p' "$0" >&2; exit 2; }
 image='' deb='' bundle='' root='' format=ext4
 while [ $# -gt 0 ]; do
   case "$1" in
@@ -30,6 +31,7 @@ if [ -z "$image" ] || [ -z "$deb$bundle" ] || { [ -n "$deb" ] && [ -n "$bundle" 
 scratch=$(mktemp -d -p "$(dirname "$image")")
 trap 'rm -rf "$scratch"' EXIT
 root=${root:-$scratch/root}
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C "$@"; }
 
 # The system. Manual pages and other languages' texts are left out; licences stay.
 if [ ! -d "$root" ]; then
@@ -48,6 +50,10 @@ if [ ! -d "$root" ]; then
     --essential-hook="copy-in '$here/modules' /usr/share/initramfs-tools/modules.d" \
     --essential-hook='echo MODULES=list > "$1/etc/initramfs-tools/conf.d/stick"' \
     --include="$packages" "${options[@]}" bookworm "$root"
+elif [ -n "$deb" ]; then
+  cp "$deb" "$root/tmp/ostraka.deb"
+  inside dpkg --install /tmp/ostraka.deb > /dev/null
+  rm "$root/tmp/ostraka.deb"
 fi
 program=/usr/bin/ostraka
 if [ -n "$bundle" ]; then
@@ -60,7 +66,6 @@ if [ -n "$bundle" ]; then
     cp -rT "$root/opt/ostraka/share/$folder" "$root/usr/share/$folder"
   done
 fi
-inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C "$@"; }
 inside "$program" --version > /dev/null
 
 # One person, who needs no password: who holds the stick may use it.

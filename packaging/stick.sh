@@ -89,6 +89,9 @@ sed "s|PROGRAM|$program|" "$here/ostraka.sh" > "$root/usr/local/bin/ostraka"
 chmod 755 "$root/usr/local/bin/ostraka"
 install -m 644 "$here/projects.service" "$root/etc/systemd/system/ostraka-projects.service"
 inside systemctl --quiet enable ostraka-projects
+# What an installed system cares for on its own disk and in the network has nothing to do here.
+inside systemctl --quiet disable e2scrub_reap e2scrub_all.timer fstrim.timer apt-daily.timer \
+  apt-daily-upgrade.timer dpkg-db-backup.timer
 mkdir -p "$root/projects" "$root/etc/systemd/system/getty@tty1.service.d"
 cat > "$root/etc/systemd/system/getty@tty1.service.d/lab.conf" << 'END'
 [Service]
@@ -103,12 +106,14 @@ echo '[ "$(tty)" != /dev/tty1 ] || exec startx /usr/local/bin/ostraka-session --
 desktop=$root/home/lab/Desktop
 mkdir -p "$desktop" "$root/home/lab/.config/pcmanfm/default" "$root/home/lab/.config/libfm"
 cp "$root/usr/share/applications/ostraka.desktop" "$root/usr/share/applications/system-config-printer.desktop" "$desktop"
-entry() {
-  printf '[Desktop Entry]\nType=Application\nName=%s\nExec=%s\nIcon=%s\n' "$2" "$3" "$4" \
-    > "$desktop/$1.desktop"
-}
-entry projects Projects 'pcmanfm /projects' folder
-entry shutdown 'Shut down' 'systemctl poweroff' system-shutdown
+entry() {  # FILE COMMAND ICON NAME 'LANGUAGE NAME'...
+  printf '[Desktop Entry]\nType=Application\nExec=%s\nIcon=%s\nName=%s\n' "$2" "$3" "$4"
+  for name in "${@:5}"; do printf 'Name[%s]=%s\n' "${name%% *}" "${name#* }"; done
+} > "$desktop/$1.desktop"
+entry projects 'pcmanfm /projects' folder Projects 'de Projekte' 'fr Projets' 'es Proyectos' \
+  'el Έργα' 'tr Projeler' 'hy Նախագծեր'
+entry shutdown 'systemctl poweroff' system-shutdown 'Shut down' 'de Herunterfahren' 'fr Éteindre' \
+  'es Apagar' 'el Τερματισμός' 'tr Kapat' 'hy Անջատել'
 cp "$here/desktop.conf" "$root/home/lab/.config/pcmanfm/default/desktop-items-0.conf"
 printf '[config]\nquick_exec=1\n' > "$root/home/lab/.config/libfm/libfm.conf"
 cp "$here/menu.xml" "$root/etc/xdg/openbox/menu.xml"

@@ -24,8 +24,6 @@ options=(-m 3072 -smp 2 -cpu Nehalem -display none -vga std -monitor "unix:$outp
   -chardev "pipe,id=line,path=$output/line" -serial chardev:line -nic none -rtc base=utc
   -device qemu-xhci -device usb-storage,drive=stick,removable=on
   -drive "id=stick,if=none,format=raw,file=$stick")
-# Without KVM: a small cache of translated code, and a processor that clears memory by words (the
-# kernel is told not to clear it twice), or QEMU spends minutes on pages that once held code.
 if [ -w /dev/kvm ]; then options+=(-accel kvm); else options+=(-accel 'tcg,tb-size=256'); fi
 if [ "$firmware" = uefi ]; then
   cp /usr/share/OVMF/OVMF_VARS_4M.fd "$output/vars.fd"

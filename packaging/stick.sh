@@ -118,7 +118,7 @@ cp "$here/desktop.conf" "$root/home/lab/.config/pcmanfm/default/desktop-items-0.
 printf '[config]\nquick_exec=1\n' > "$root/home/lab/.config/libfm/libfm.conf"
 cp "$here/menu.xml" "$root/etc/xdg/openbox/menu.xml"
 grep -q 'class="ostraka"' "$root/etc/xdg/openbox/rc.xml" || sed -i 's|</applications>|\
-  <application class="ostraka" type="normal"><maximized>yes</maximized></application>\n&|' \
+  <application class="ostraka" type="normal"><focus>yes</focus><maximized>yes</maximized></application>\n&|' \
   "$root/etc/xdg/openbox/rc.xml"
 inside chown -R lab:lab /home/lab
 

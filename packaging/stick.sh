@@ -92,6 +92,7 @@ inside systemctl --quiet enable ostraka-projects
 # What an installed system cares for on its own disk and in the network has nothing to do here.
 inside systemctl --quiet disable e2scrub_reap e2scrub_all.timer fstrim.timer apt-daily.timer \
   apt-daily-upgrade.timer dpkg-db-backup.timer
+install -D -m 644 "$here/polkit.rules" "$root/etc/polkit-1/rules.d/50-lab.rules"
 mkdir -p "$root/projects" "$root/etc/systemd/system/getty@tty1.service.d"
 cat > "$root/etc/systemd/system/getty@tty1.service.d/lab.conf" << 'END'
 [Service]

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Starts the image of a stick in QEMU, waits for the window, processes a small batch there over the
-# serial line, and switches off. Screenshots and the record of the line go to the output folder.
+# Starts the image of a stick in QEMU, waits for the window, makes and registers scans there over the
+# serial line (with KVM also a small batch of photographs), and switches off. Screenshots and the record of the line go to the output folder.
 # By hand: without KVM it takes long. Needs qemu-system-x86, ovmf, mtools, socat, imagemagick.
 #   stick_boot.sh IMAGE OUTPUT_FOLDER [bios|uefi]       (SECONDS_AT_MOST=3600)
 # An encrypted stick gets the passphrase 'ostraka', typed as a person would.
@@ -89,8 +89,12 @@ screenshot window
 run 'mountpoint /projects' mounted
 run 'df -h /projects; systemctl --failed --no-pager; /usr/sbin/lpinfo -m | wc -l; fc-list | wc -l' looked
 run 'cd /projects; ostraka --version; DISPLAY=:0 ostraka doctor' doctor
-run 'ostraka rig simulate --output /projects/batch --seed 7 --sherds 1 --width 400 --stops 4' simulated
-run 'ostraka process /projects/batch --output /projects/sherds --draft' processed
+run 'ostraka rig simulate --output scans --seed 7 --sherds 1 --scans-only' scanned
+run 'ostraka register --front scans/front --back scans/back --output registered' registered
+if [ -w /dev/kvm ]; then  # photographs take too long without it
+  run 'ostraka rig simulate --output batch --seed 7 --sherds 1 --width 400 --stops 4' simulated
+  run 'ostraka process batch --output sherds --draft' processed
+fi
 screenshot after
 echo 'sudo systemctl poweroff' >&3
 for _ in $(seq 300); do
@@ -99,6 +103,8 @@ for _ in $(seq 300); do
 done
 ! kill -0 "$machine" 2> /dev/null || wrong "it does not switch off"
 grep -qa 'mounted=0' "$output/line.log" || wrong "the projects are not mounted"
-grep -qa 'simulated=0' "$output/line.log" || wrong "no batch was simulated"
-grep -qa 'processed=[03]' "$output/line.log" || wrong "the batch was not processed"  # 3: to be reviewed
+grep -qa 'registered=0' "$output/line.log" || wrong "the scans were not registered"
+if [ -w /dev/kvm ]; then
+  grep -qa 'processed=[03]' "$output/line.log" || wrong "the batch was not processed"  # 3: to be reviewed
+fi
 echo "stick_boot: all ran by $firmware; look at $output/window.png"

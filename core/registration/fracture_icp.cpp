@@ -53,23 +53,19 @@ class Frame {
 void asked(const StripLevel& from, const StripLevel& to, const Eigen::Isometry3d& to_from_from,
            const Eigen::Isometry3d& front_from_from, const Eigen::Isometry3d& front_from_to,
            bool from_is_front, const FracturePairing& pairing, const Frame& frame, Sums& sums) {
-  const Eigen::Matrix3f turn = to_from_from.linear().cast<float>();
-  const Vector3f shift = to_from_from.translation().cast<float>();
-  const float radius = static_cast<float>(pairing.radius_mm);
+  const std::vector<int> partners = partnersOf(from, to, to_from_from, pairing);
   for (std::size_t i = 0; i < from.points.size(); ++i) {
-    const Neighbour found = to.tree.nearest(turn * from.points[i] + shift, radius);
-    const bool agrees = found.index >= 0 && (turn * from.normals[i]).dot(to.normals[found.index]) >
-                                                static_cast<float>(pairing.min_cos);
-    if (!agrees) {
+    if (partners[i] < 0) {
       sums.spread += 1;
       continue;
     }
+    const std::size_t j = static_cast<std::size_t>(partners[i]);
     const Vector3d a = front_from_from * from.points[i].cast<double>();
-    const Vector3d b = front_from_to * to.points[found.index].cast<double>();
+    const Vector3d b = front_from_to * to.points[j].cast<double>();
     const Vector3d n = (front_from_from.linear() * from.normals[i].cast<double>() +
-                        front_from_to.linear() * to.normals[found.index].cast<double>())
+                        front_from_to.linear() * to.normals[j].cast<double>())
                            .normalized();
-    const double weight = std::min(from.weights[i], to.weights[found.index]);
+    const double weight = std::min(from.weights[i], to.weights[j]);
     frame.add(from_is_front ? a : b, from_is_front ? b : a, n, weight, pairing, sums);
   }
 }
@@ -81,6 +77,21 @@ double robustSigma(std::vector<double> values) {
 }
 
 }  // namespace
+
+std::vector<int> partnersOf(const StripLevel& from, const StripLevel& to,
+                            const Eigen::Isometry3d& to_from_from, const FracturePairing& pairing) {
+  const Eigen::Matrix3f turn = to_from_from.linear().cast<float>();
+  const Vector3f shift = to_from_from.translation().cast<float>();
+  const float radius = static_cast<float>(pairing.radius_mm);
+  std::vector<int> partners(from.points.size(), -1);
+  for (std::size_t i = 0; i < from.points.size(); ++i) {
+    const Neighbour found = to.tree.nearest(turn * from.points[i] + shift, radius);
+    if (found.index >= 0 && (turn * from.normals[i]).dot(to.normals[found.index]) >
+                                static_cast<float>(pairing.min_cos))
+      partners[i] = found.index;
+  }
+  return partners;
+}
 
 FractureFit fitFracture(const StripLevel& front, const StripLevel& back, const Vector3d& front_up,
                         const Eigen::Isometry3d& front_from_back, const Vector3d& pivot,

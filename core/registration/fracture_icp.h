@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <vector>
 
 #include "registration/evidence.h"
 #include "registration/strip.h"
@@ -23,6 +24,11 @@ struct FractureFit {
   double spread = 0;    ///< mean of min(r^2 / robust^2, 1); a point without partner counts 1
   int pairs = 0;
 };
+
+/// Which point of `to` each point of `from` touches: the nearest within radius_mm whose normal
+/// agrees; -1: none. What every figure and picture of a fracture takes for contact.
+std::vector<int> partnersOf(const StripLevel& from, const StripLevel& to,
+                            const Eigen::Isometry3d& to_from_from, const FracturePairing& pairing);
 
 /// Symmetric point-to-plane on closest pairs in both directions (Rusinkiewicz 2019's symmetric
 /// normal): r = n . (T q - p), n along n_p + n_q. The strips' fatness is an unknown b(x, y) n.up,

@@ -1,5 +1,7 @@
 #include "registration/pose_figures.h"
 
+#include <limits>
+
 #include "registration/fracture_icp.h"
 #include "registration/self_check.h"
 
@@ -8,49 +10,43 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kSameFaceCos = 0.7071f;  // beyond 45 degrees it is another face
+// Within 1 mm, as a finished registration is checked.
+FracturePairing contact() {
+  FracturePairing pairing;
+  pairing.robust_mm = 0.5;
+  return pairing;
+}
 
-// From `asked` (brought to the other's frame) to the other strip; points are given in the front's
-// frame. sign: 1 when the distance is positive where what is asked lies outside.
-void addDistances(const StripLevel& asked, const StripLevel& other,
-                  const Eigen::Isometry3f& other_from_asked,
-                  const Eigen::Isometry3f& front_from_asked, float reach_mm, float sign,
-                  std::vector<FractureDistance>& found) {
-  for (std::size_t i = 0; i < asked.points.size(); ++i) {
-    const Vector3f p = other_from_asked * asked.points[i];
-    const Neighbour near = other.tree.nearest(p, reach_mm);
-    if (near.index < 0) continue;
-    const std::size_t j = static_cast<std::size_t>(near.index);
-    const Vector3f normal = other_from_asked.linear() * asked.normals[i];
-    if (normal.dot(other.normals[j]) < kSameFaceCos) continue;
-    const Vector3f between = (normal + other.normals[j]).normalized();
-    found.push_back({front_from_asked * asked.points[i], sign * between.dot(p - other.points[j])});
+// sign: 1 where the distance is positive when the point lies outside the other side.
+std::vector<float> gapsOf(const StripLevel& asked, const StripLevel& other,
+                          const Eigen::Isometry3d& other_from_asked, float sign) {
+  const std::vector<int> partners = partnersOf(asked, other, other_from_asked, contact());
+  const Eigen::Isometry3f to_other = other_from_asked.cast<float>();
+  std::vector<float> gaps(partners.size(), std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < partners.size(); ++i) {
+    if (partners[i] < 0) continue;
+    const std::size_t j = static_cast<std::size_t>(partners[i]);
+    const Vector3f between = (to_other.linear() * asked.normals[i] + other.normals[j]).normalized();
+    gaps[i] = sign * between.dot(to_other * asked.points[i] - other.points[j]);
   }
+  return gaps;
 }
 
 }  // namespace
 
 PoseFigures figuresAt(const Strip& front, const Strip& back,
                       const Eigen::Isometry3d& front_from_back) {
-  FracturePairing pairing;  // within 1 mm, as a finished registration is checked
-  pairing.robust_mm = 0.5;
   const Eigen::Vector3d pivot = 0.5 * (front.centre + front_from_back * back.centre);
   const FractureFit fracture = fitFracture(front.fine, back.fine, front.up, front_from_back, pivot,
-                                           0.5 * (front.radius_mm + back.radius_mm), pairing);
+                                           0.5 * (front.radius_mm + back.radius_mm), contact());
   const Thickness wall = thicknessOf(front, back, front_from_back);
   return {fracture.rms_mm, fracture.overlap, wall.crossing_share, wall.median_mm};
 }
 
-std::vector<FractureDistance> fractureDistances(const Strip& front, const Strip& back,
-                                                const Eigen::Isometry3d& front_from_back,
-                                                double reach_mm) {
-  std::vector<FractureDistance> found;
-  const Eigen::Isometry3f to_front = front_from_back.cast<float>();
-  const float reach = static_cast<float>(reach_mm);
-  addDistances(front.fine, back.fine, to_front.inverse(), Eigen::Isometry3f::Identity(), reach, -1,
-               found);
-  addDistances(back.fine, front.fine, to_front, to_front, reach, 1, found);
-  return found;
+FractureGaps fractureGaps(const Strip& front, const Strip& back,
+                          const Eigen::Isometry3d& front_from_back) {
+  return {gapsOf(front.fine, back.fine, front_from_back.inverse(), -1),
+          gapsOf(back.fine, front.fine, front_from_back, 1)};
 }
 
 }  // namespace ostraka::registration

@@ -18,15 +18,13 @@ struct PoseFigures {
 PoseFigures figuresAt(const Strip& front, const Strip& back,
                       const Eigen::Isometry3d& front_from_back);
 
-/// One point of the fracture and how far the sides' surfaces lie apart there.
-struct FractureDistance {
-  Eigen::Vector3f point = Eigen::Vector3f::Zero();  ///< front's frame, mm
-  float distance_mm = 0;  ///< along the normals, positive: the back outside the front
+/// How far the sides' surfaces lie apart at each point of Strip::fine, mm along the normals,
+/// positive: the back outside the front; NaN where the point touches nothing. Of all points of both
+/// sides, those that touch are figuresAt's fracture_overlap.
+struct FractureGaps {
+  std::vector<float> front_mm, back_mm;
 };
-
-/// Both strips' points that meet the other side within reach_mm with normals within 45 degrees.
-std::vector<FractureDistance> fractureDistances(const Strip& front, const Strip& back,
-                                                const Eigen::Isometry3d& front_from_back,
-                                                double reach_mm);
+FractureGaps fractureGaps(const Strip& front, const Strip& back,
+                          const Eigen::Isometry3d& front_from_back);
 
 }  // namespace ostraka::registration

@@ -32,7 +32,6 @@ using registration::Strip;
 using Line = std::vector<Eigen::Vector2d>;
 
 constexpr int kTurnSamples = 200;
-constexpr double kFractureReach_mm = 1.5;
 constexpr double kBeside_mm = 1;            // farther than the outline's own roundings
 constexpr std::size_t kTold = 4000;         // points that tell whether anything lies there
 constexpr std::size_t kLeastOfAPart = 200;  // points; fewer make no outline
@@ -359,8 +358,7 @@ Result<PairView> LivePairs::view(int front, int back, const Isometry3d& pose) co
   const Result<const Strip*> front_strip = state_->stripOf(Side::Front, front);
   const Result<const Strip*> back_strip = state_->stripOf(Side::Back, back);
   if (front_strip && back_strip)
-    view.fracture =
-        registration::fractureDistances(**front_strip, **back_strip, pose, kFractureReach_mm);
+    view.fracture = registration::fractureGaps(**front_strip, **back_strip, pose);
   return view;
 }
 
@@ -433,6 +431,13 @@ Result<ScanCloud> LivePairs::cloud(Side side, int scan, std::size_t most_points)
     out.fracture.push_back(fracture ? 1 : 0);
   }
   out.cloud = subset((*found)->cloud, kept);
+  out.strip_point.assign(kept.size(), -1);
+  const Result<const Strip*> strip = state_->stripOf(side, scan);
+  if (!strip) return out;
+  // Thinned strips have a point for all of a cell; beyond the next cell it is another place.
+  const float cell = static_cast<float>(1.5 * (*strip)->spacing_mm);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    out.strip_point[i] = (*strip)->fine.tree.nearest(out.cloud.points[i], cell).index;
   return out;
 }
 

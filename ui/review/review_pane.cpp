@@ -375,8 +375,10 @@ void ReviewPane::showScene(const PairScene& scene) {
   if (scene.front_cloud && scene.back_cloud) {
     closed_->setChecked(false);
     measure_->setChecked(false);
-    view_->showScans({scene.front_cloud->cloud, scene.front_cloud->fracture},
-                     {scene.back_cloud->cloud, scene.back_cloud->fracture},
+    const auto shown = [](const review::ScanCloud& scan) {
+      return ShownScan{scan.cloud, scan.fracture, scan.strip_point};
+    };
+    view_->showScans(shown(*scene.front_cloud), shown(*scene.back_cloud),
                      scene.fit.front_from_back);
   }
   colourFracture();
@@ -386,11 +388,10 @@ void ReviewPane::showScene(const PairScene& scene) {
 void ReviewPane::colourFracture() {
   ShownDistances shown;
   shown.reach_mm = kFractureScale_mm;
-  if (along_fracture_->isChecked() && scene_)
-    for (const registration::FractureDistance& d : scene_->view.fracture) {
-      shown.points.push_back(d.point);
-      shown.distance_mm.push_back(d.distance_mm);
-    }
+  if (along_fracture_->isChecked() && scene_) {
+    shown.front_mm = scene_->view.fracture.front_mm;
+    shown.back_mm = scene_->view.fracture.back_mm;
+  }
   view_->setDistances(shown);
 }
 

@@ -89,8 +89,7 @@ void addAttribute(vtkPolyData& data, const char* name, const std::vector<float>&
 
 }  // namespace
 
-DrawnShape::DrawnShape(vtkRenderer& renderer, Shape shape, Light light)
-    : renderer_(renderer), shape_(shape), light_(light) {
+DrawnShape::DrawnShape(vtkRenderer& renderer, Shape shape) : renderer_(renderer), shape_(shape) {
   const char* attribute = shape == Shape::Surfels ? kRadius : kUnseen;
   for (Level* level : {&whole_, &coarse_}) {
     level->mapper->SetInputData(level->data);
@@ -99,10 +98,11 @@ DrawnShape::DrawnShape(vtkRenderer& renderer, Shape shape, Light light)
                                                  vtkDataObject::FIELD_ASSOCIATION_POINTS);
     level->actor->SetMapper(level->mapper);
     setShader(*level->actor, shape);
-    setSurfels(*level->actor, 1, light);
+    setSurfels(*level->actor, 1);
     setBand(*level->actor, 0, StateColours::inkOnMatte());
     renderer.AddActor(level->actor);
   }
+  setLight(Light::Shaded);
   coarse_.actor->PickableOff();
   texture_->SetInputData(picture_);
   texture_->InterpolateOn();
@@ -189,10 +189,14 @@ void DrawnShape::setColours(const std::vector<Color>& colours) {
   for (Level* level : {&whole_, &coarse_}) level->data->GetPointData()->SetScalars(array);
 }
 
+void DrawnShape::setLight(Light light) {
+  for (Level* level : {&whole_, &coarse_}) ui::setLight(*level->actor, light);
+}
+
 void DrawnShape::filled(std::size_t parts, std::size_t coarse_parts) {
   has_coarse_ = coarse_parts < parts;
   const double share = static_cast<double>(coarse_parts) / static_cast<double>(parts);
-  setSurfels(*coarse_.actor, static_cast<float>(1 / std::sqrt(share)), light_);
+  setSurfels(*coarse_.actor, static_cast<float>(1 / std::sqrt(share)));
   choose();
 }
 

@@ -21,7 +21,7 @@ namespace ostraka::ui {
 /// A cloud or a mesh as it is drawn: whole, and with fewer points or triangles for while it moves.
 class DrawnShape {
  public:
-  DrawnShape(vtkRenderer& renderer, Shape shape, Light light = Light::Shaded);
+  DrawnShape(vtkRenderer& renderer, Shape shape);
 
   void clear();
   /// normals: empty where there are none. One colour for each point.
@@ -31,6 +31,7 @@ class DrawnShape {
   void setMesh(const TriangleMesh& mesh, const std::vector<Color>& colours,
                const ShownTexture& texture);
   void setColours(const std::vector<Color>& colours);
+  void setLight(Light light);  ///< at first Shaded
 
   void setVisible(bool visible);
   void setMatrix(vtkMatrix4x4* matrix);
@@ -56,7 +57,6 @@ class DrawnShape {
 
   vtkRenderer& renderer_;
   Shape shape_;
-  Light light_;
   Level whole_, coarse_;
   vtkNew<vtkImageData> picture_;  ///< empty: no texture
   vtkNew<vtkTexture> texture_;    ///< of the whole level: places on it have no meaning between

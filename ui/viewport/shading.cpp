@@ -183,8 +183,11 @@ void setFrame(vtkActor& actor, const FrameFacts& frame) {
   pixel.SetUniformf("cutFacing", frame.cut_facing);
 }
 
-void setSurfels(vtkActor& actor, float growth, Light light) {
+void setSurfels(vtkActor& actor, float growth) {
   vertexUniforms(actor).SetUniformf("growth", growth);
+}
+
+void setLight(vtkActor& actor, Light light) {
   pixelUniforms(actor).SetUniformf("lit", light == Light::Shaded ? 1.0f : 0.0f);
 }
 

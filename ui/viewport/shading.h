@@ -36,7 +36,8 @@ QColor edgeColour();  ///< its outline
 void setShader(vtkActor& actor, Shape shape);
 void setFrame(vtkActor& actor, const FrameFacts& frame);
 /// growth: how much wider surfels are than their radius, since others are left out.
-void setSurfels(vtkActor& actor, float growth, Light light);
+void setSurfels(vtkActor& actor, float growth);
+void setLight(vtkActor& actor, Light light);
 /// Surfels up to this far behind the cut belong to the band.
 void setBand(vtkActor& actor, float width_mm, const QColor& colour);
 /// For lines with round ends: while shaders set the size of points, these must too.

@@ -43,7 +43,6 @@ struct SherdScene::Actors {
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkRenderer> above;  ///< drawn over all else: a line through the sherd is to be seen
   DrawnShape front{*renderer, Shape::Surfels}, back{*renderer, Shape::Surfels};
-  DrawnShape distances{*renderer, Shape::Surfels, Light::Flat};
   DrawnShape model{*renderer, Shape::Surface};
   vtkNew<vtkLineSource> line;
   vtkNew<vtkPolyDataMapper> line_mapper, outline_mapper;
@@ -54,23 +53,31 @@ struct SherdScene::Actors {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   vtkNew<vtkCamera> uncut;  ///< the view before the section
   bool section = false, apart = false;
-  bool distances_shown = false;  ///< no other colours beside theirs
+  std::vector<float> front_mm, back_mm;  ///< distances; empty: none are shown
+  DistanceScale scale{1};
   double ratio = 1;
 
-  DrawnShape* shapes[4] = {&front, &back, &distances, &model};
+  DrawnShape* shapes[3] = {&front, &back, &model};
 
+  bool distancesShown() const { return !front_mm.empty() || !back_mm.empty(); }
   std::vector<Color> coloursOf(const ShownScan& scan, State side) const {
-    const auto& [cloud, fracture] = scan;
-    const Color marked =
-        rgb(distances_shown ? DistanceScale::notSeen() : StateColours::onMatte().of(side));
+    const PointCloud& cloud = scan.cloud;
+    const std::vector<float>& distance_mm = side == State::Front ? front_mm : back_mm;
+    const Color marked = rgb(StateColours::onMatte().of(side));
     std::vector<Color> colours(cloud.size(), kClay);
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       if (i < cloud.colors.size()) colours[i] = cloud.colors[i];
-      if (i < fracture.size() && fracture[i] != 0) colours[i] = marked;
+      if (!distancesShown() && i < scan.fracture.size() && scan.fracture[i] != 0)
+        colours[i] = marked;
+      const int point = i < scan.strip_point.size() ? scan.strip_point[i] : -1;
+      if (point >= 0 && static_cast<std::size_t>(point) < distance_mm.size())
+        colours[i] = rgb(scale.of(distance_mm[static_cast<std::size_t>(point)]));
     }
     return colours;
   }
   void colourSides() {
+    for (DrawnShape* side : {&front, &back})
+      side->setLight(distancesShown() ? Light::Flat : Light::Shaded);
     front.setColours(coloursOf(front_scan, State::Front));
     back.setColours(coloursOf(back_scan, State::Back));
   }
@@ -93,8 +100,6 @@ struct SherdScene::Actors {
     outline();
   }
   void outline() { outline_actor->SetVisibility(section && !model.empty()); }
-  // Of the distances only those along the cut would be seen, in front of the band.
-  void chooseDistances() { distances.setVisible(!apart && !section); }
 };
 
 SherdScene::SherdScene() : actors_(std::make_unique<Actors>()) {
@@ -145,7 +150,8 @@ void SherdScene::setPixelRatio(double ratio) {
 void SherdScene::clear() {
   Actors& a = *actors_;
   a.front_scan = a.back_scan = {};
-  a.distances_shown = false;
+  a.front_mm.clear();
+  a.back_mm.clear();
   for (DrawnShape* shape : a.shapes) shape->clear();
   a.line_actor->SetVisibility(0);
   a.outline();
@@ -165,15 +171,14 @@ void SherdScene::setPose(const Eigen::Isometry3d& front_from_back) {
   actors_->place();
 }
 
-void SherdScene::setDistances(const std::vector<Eigen::Vector3f>& points,
-                              const std::vector<float>& distance_mm, const DistanceScale& scale) {
+void SherdScene::setDistances(const std::vector<float>& front_mm, const std::vector<float>& back_mm,
+                              const DistanceScale& scale) {
   Actors& a = *actors_;
-  std::vector<Color> colours;
-  for (const float distance : distance_mm) colours.push_back(rgb(scale.of(distance)));
-  a.distances.setPoints(points, {}, colours);
-  if (a.distances_shown != points.empty()) return;
-  a.distances_shown = !points.empty();
-  a.colourSides();
+  const bool shown = a.distancesShown();
+  a.front_mm = front_mm;
+  a.back_mm = back_mm;
+  a.scale = scale;
+  if (shown || a.distancesShown()) a.colourSides();
 }
 
 void SherdScene::setModel(const TriangleMesh& mesh, const ShownTexture& texture) {
@@ -193,7 +198,6 @@ void SherdScene::setMeasure(const Eigen::Vector3d& from, const Eigen::Vector3d& 
 
 void SherdScene::setApart(bool apart) {
   actors_->apart = apart;
-  actors_->chooseDistances();
   actors_->place();
 }
 
@@ -215,7 +219,6 @@ void SherdScene::setSection(bool on) {
     camera()->SetViewUp(std::abs(right[2]) < 0.9 ? level : up);
   }
   a.section = on;
-  a.chooseDistances();
   a.cut();
 }
 

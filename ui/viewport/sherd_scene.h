@@ -18,6 +18,7 @@ class DistanceScale;
 struct ShownScan {
   PointCloud cloud;
   std::vector<std::uint8_t> fracture;
+  std::vector<int> strip_point;  ///< which of the distances a point has; -1, or empty: none
 };
 
 /// How one looks at a sherd: which way, and how large it is seen.
@@ -26,7 +27,7 @@ struct ViewPose {
   double half_height_mm = 0;  ///< of the picture: views of one height have one scale
 };
 
-/// The actors: two clouds, the fracture's distances, a mesh, a measured line, a section plane.
+/// The actors: two clouds, a mesh, a measured line, a section plane.
 class SherdScene {
  public:
   SherdScene();
@@ -41,10 +42,10 @@ class SherdScene {
   void clear();
   void setSides(const ShownScan& front, const ShownScan& back);
   void setPose(const Eigen::Isometry3d& front_from_back);
-  /// Points of the fracture in the colours of their distances; the others of it become 'not seen'.
-  /// Empty: the fracture has the colours of the sides.
-  void setDistances(const std::vector<Eigen::Vector3f>& points,
-                    const std::vector<float>& distance_mm, const DistanceScale& scale);
+  /// The points that have a distance in its colour, unshaded so that it can be read; NaN: 'not
+  /// seen'. Empty: the fracture has the colours of the sides.
+  void setDistances(const std::vector<float>& front_mm, const std::vector<float>& back_mm,
+                    const DistanceScale& scale);
   void setModel(const TriangleMesh& mesh, const ShownTexture& texture);
   void setMeasure(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool shown);
   /// The back is drawn this far below the front, for looking between.

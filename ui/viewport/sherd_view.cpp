@@ -105,10 +105,11 @@ void SherdView::setPose(const Eigen::Isometry3d& front_from_back) {
 
 void SherdView::setDistances(const ShownDistances& distances) {
   if (canvas_ == nullptr) return;
-  canvas_->scene().setDistances(distances.points, distances.distance_mm,
+  canvas_->scene().setDistances(distances.front_mm, distances.back_mm,
                                 DistanceScale(distances.reach_mm));
   overlay_->setLegend(
-      distances.points.empty() ? ViewOverlay::Legend::Sides : ViewOverlay::Legend::Distances,
+      distances.front_mm.empty() && distances.back_mm.empty() ? ViewOverlay::Legend::Sides
+                                                              : ViewOverlay::Legend::Distances,
       distances.reach_mm);
   canvas_->redraw();
 }

@@ -11,10 +11,9 @@ namespace ostraka::ui {
 class GlCanvas;
 class ViewOverlay;
 
-/// How far the two sides lie apart along the fracture: core's figures, one for each point.
+/// How far the two sides lie apart along the fracture: core's figures, for ShownScan::strip_point.
 struct ShownDistances {
-  std::vector<Eigen::Vector3f> points;  ///< front's frame
-  std::vector<float> distance_mm;       ///< positive: the back lies outside the front
+  std::vector<float> front_mm, back_mm;  ///< positive: the back lies outside the front
   double reach_mm = 0.5;                ///< the ends of the colour scale
 };
 

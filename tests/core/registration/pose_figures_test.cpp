@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "simulated_sherd.h"
 
 namespace ostraka::registration {
@@ -19,13 +22,29 @@ class PoseFiguresTest : public testing::Test {
   double meanAt(int side, const Eigen::Isometry3d& pose) const {
     double sum = 0;
     int count = 0;
-    for (const FractureDistance& one : fractureDistances(front_, back_, pose, 1)) {
-      if (side * one.point.x() < 12) continue;
-      sum += one.distance_mm;
-      ++count;
-    }
+    const FractureGaps gaps = fractureGaps(front_, back_, pose);
+    const auto add = [&](const StripLevel& strip, const std::vector<float>& of_mm,
+                         const Eigen::Isometry3d& front_from_side) {
+      for (std::size_t i = 0; i < of_mm.size(); ++i) {
+        const double x = (front_from_side * strip.points[i].cast<double>()).x();
+        if (std::isnan(of_mm[i]) || side * x < 12) continue;
+        sum += of_mm[i];
+        ++count;
+      }
+    };
+    add(front_.fine, gaps.front_mm, Eigen::Isometry3d::Identity());
+    add(back_.fine, gaps.back_mm, pose);
     EXPECT_GT(count, 100);
     return sum / count;
+  }
+  double touchingShare(const Eigen::Isometry3d& pose) const {
+    const FractureGaps gaps = fractureGaps(front_, back_, pose);
+    EXPECT_EQ(gaps.front_mm.size(), front_.fine.points.size());
+    EXPECT_EQ(gaps.back_mm.size(), back_.fine.points.size());
+    const auto touches = [](float mm) { return !std::isnan(mm); };
+    return static_cast<double>(std::ranges::count_if(gaps.front_mm, touches) +
+                               std::ranges::count_if(gaps.back_mm, touches)) /
+           static_cast<double>(gaps.front_mm.size() + gaps.back_mm.size());
   }
   SimulatedSherd sherd_ = simulatedSherd({});
   Strip front_ = std::move(*prepareStrip(sherd_.front, {}));
@@ -51,7 +70,15 @@ TEST_F(PoseFiguresTest, OfSidesThatDoNotMeetAreNone) {
   const PoseFigures apart = figuresAt(front_, back_, movedBy(200, 0));
   EXPECT_EQ(apart.fracture_rms_mm, 0);
   EXPECT_EQ(apart.fracture_overlap, 0);
-  EXPECT_TRUE(fractureDistances(front_, back_, movedBy(200, 0), 1).empty());
+  EXPECT_EQ(touchingShare(movedBy(200, 0)), 0);
+}
+
+// What a person sees of a fracture and the share that is written below are one count.
+TEST_F(PoseFiguresTest, AsManyPointsHaveAGapAsTheFigureSaysTouch) {
+  for (const double x : {0.0, 0.4, 0.9, 1.3})
+    EXPECT_NEAR(touchingShare(movedBy(x, 0)),
+                figuresAt(front_, back_, movedBy(x, 0)).fracture_overlap, 1e-9);
+  EXPECT_GT(touchingShare(sherd_.truth), touchingShare(movedBy(1.3, 0)) + 0.1);
 }
 
 // Moved to the right, the back stands out there, and on the left the front does.

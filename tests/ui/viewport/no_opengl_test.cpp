@@ -27,7 +27,7 @@ void NoOpenGlTest::itSaysSoAndNothingBreaks() {
   scan.cloud.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   view.showScans(scan, scan, Eigen::Isometry3d::Identity());
   view.setPose(Eigen::Isometry3d::Identity());
-  view.setDistances({{{0, 0, 0}}, {0.1f}, 0.5});
+  view.setDistances({{0.1f}, {0.2f}, 0.5});
   view.setApart(true);
   view.setSection(true);
   view.setMeasuring(true);

@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
+#include <limits>
 
 #include "tests/core/model/shapes.h"
 #include "tests/ui/program.h"
@@ -31,6 +32,7 @@ ShownScan disc(float z, float up, float step = 0.4f) {
       scan.cloud.normals.emplace_back(0.0f, 0.0f, up);
       scan.cloud.colors.push_back({150, 150, 150});
       scan.fracture.push_back(r > 15 ? 1 : 0);
+      scan.strip_point.push_back(r > 17 ? 0 : r > 16 ? 1 : -1);
     }
   return scan;
 }
@@ -142,17 +144,16 @@ void SherdViewTest::apartTheBackIsSeenToo() {
 }
 
 void SherdViewTest::theFractureHasTheColoursOfItsDistances() {
-  ShownDistances shown;
-  for (int i = 0; i < 2000; ++i) {
-    const float a = 0.003141f * static_cast<float>(i);
-    shown.points.emplace_back(19 * std::cos(a), 19 * std::sin(a), 5.5f);
-    shown.distance_mm.push_back(0.9f);
-  }
-  shown.reach_mm = 0.5;
-  view_->setDistances(shown);
+  // The front's outermost ring stands out by 0.9 mm, the next one and the back touch nothing.
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  view_->setDistances({{0.9f, none}, {none, none}, 0.5});
   const QColor back_outside = DistanceScale(0.5).of(0.5);
   QTRY_VERIFY(count(back_outside) > 500);
-  QVERIFY2(count(DistanceScale::notSeen()) > 500, "the back's fracture met nothing");
+  QVERIFY2(count(DistanceScale::notSeen()) > 500, "these touch nothing");
+  QVERIFY2(count(of(State::Front)) == 0, "what nobody asks for has its own colour");
+  view_->setApart(true);  // between the sides one looks at the back's
+  QTRY_VERIFY(count(DistanceScale::notSeen()) > 500);
+  QVERIFY(count(back_outside) > 300);
   view_->setDistances({});
   QTRY_COMPARE(count(DistanceScale::notSeen()), 0);
 }
@@ -161,11 +162,6 @@ void SherdViewTest::theFractureHasTheColoursOfItsDistances() {
 void SherdViewTest::whatIsNoLongerShownTakesNoRoom() {
   QTRY_VERIFY(notBackground() > 10000);
   const int alone = notBackground();
-  ShownDistances far;
-  far.points = {{200, 0, 5}, {200, 10, 5}};
-  far.distance_mm = {0.1f, 0.2f};
-  view_->setDistances(far);
-  view_->setDistances({});
   TriangleMesh mesh;
   mesh.vertices = {{-200, 0, 0}, {-190, 0, 0}, {-190, 10, 0}};
   mesh.triangles = {{0, 1, 2}};

@@ -54,9 +54,10 @@ QString agreementWords(Agreement agreement) {
   return {};
 }
 
-QString differenceWords(Agreement agreement, double difference) {
+QString differenceWords(Agreement agreement, double difference, const std::string& unit) {
   if (agreement == Agreement::Same) return {};
-  const QString by = (difference > 0 ? QStringLiteral("+") : QString()) + measureText(difference);
+  const QString by =
+      (difference > 0 ? QStringLiteral("+") : QString()) + measureText(difference, unit);
   return agreement == Agreement::Differs ? CompareWindow::tr("differs: %1").arg(by)
                                          : CompareWindow::tr("%1, within the uncertainty").arg(by);
 }
@@ -82,7 +83,8 @@ Compared comparedMeasure(const std::array<records::SherdRecord, 2>& sherds,
   }
   if (found[0] != nullptr && found[1] != nullptr) {
     row.agreement = compareMeasurements(*found[0], *found[1]);
-    row.difference = differenceWords(row.agreement, found[1]->value - found[0]->value);
+    row.difference = differenceWords(row.agreement, found[1]->value - found[0]->value,
+                                     found[0]->unit);
   } else if (found[0] != nullptr || found[1] != nullptr) {
     row.agreement = Agreement::OneBlank;
     row.difference = agreementWords(row.agreement);

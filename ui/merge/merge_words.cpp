@@ -4,6 +4,7 @@
 #include <QHash>
 #include <QLocale>
 
+#include "records/shown_decimals.h"
 #include "records/words.h"
 #include "store/values.h"
 #include "ui/frame/term_words.h"
@@ -51,7 +52,8 @@ QString valueWords(const merge::Conflict& conflict, const std::string& field,
                    const std::string& value, const TermWords& terms) {
   if (field == "method") return methodLabel(value);
   if (isMeasure(conflict, field))
-    if (const auto number = store::parsedNumber(value)) return measureText(*number);
+    if (const auto number = store::parsedNumber(value))
+      return enteredText(*number, records::unitOfMeasure(field));
   if (conflict.table != "sherd") return text(value);
   return field == "state" ? stateLabel(records::fromWord<records::SherdState>(value))
                           : terms.shown(field, value);

@@ -135,7 +135,7 @@ void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
                                               : methodLabel(m.method));
       if (computed == sherd.replaced.end()) continue;
       item->setIcon(0, icon("measure"));
-      add({}, measureText(computed->second), tr("computed; replaced by the measured value"));
+      add({}, measureText(computed->second, m.unit), tr("computed; replaced by the measured value"));
     }
   fitHeight(measures_);
 }
@@ -148,10 +148,11 @@ void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
       people.insert(person.row.value, QString::fromStdString(person.initials));
   if (const auto all = catalogue::History(catalogue).of(sherd_))
     for (const records::HistoryEntry& entry : *all) {
-      const bool measure = !records::unitOf(entry.field).empty();
+      const std::string unit = records::unitOf(entry.field);
       const auto shown = [&](const std::string& value) {
         const Result<double> number = store::parsedNumber(value);
-        return measure && number ? measureText(*number) : words_.shown(entry.field, value);
+        return number && !unit.empty() ? enteredText(*number, unit)
+                                       : words_.shown(entry.field, value);
       };
       const QString old_value = shown(entry.old_value), new_value = shown(entry.new_value);
       const QString label = measureLabel(entry.field);

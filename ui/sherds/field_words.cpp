@@ -6,7 +6,6 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "records/shown_decimals.h"
@@ -124,16 +123,6 @@ QString withoutUnit(const QString& label) {
   return label.section(QLatin1Char(','), 0, 0).toCaseFolded();
 }
 
-// A hundredth of a millimetre is more than is known of what is computed.
-QString trimmed(const QLocale& locale, double value, const std::optional<double>& uncertainty) {
-  const double unit = std::pow(10.0, records::decimalsShown(value, uncertainty, 2));
-  return locale.toString(std::round(value * unit) / unit, 'f', QLocale::FloatingPointShortest);
-}
-
-QString inColumn(double value) {
-  return QLocale().toString(value, 'f', records::decimalsShown(value, {}, 1));
-}
-
 }  // namespace
 
 QString fieldLabel(const std::string& field) {
@@ -155,14 +144,20 @@ QString measureLabel(const std::string& kind) {
   return label == QString::fromStdString(field) ? fieldLabel(kind) : label;
 }
 
-QString measureText(double value) {
-  return trimmed(QLocale(), value, {});
+QString measureText(double value, const std::string& unit) {
+  return QLocale().toString(records::shownValue(value, unit), 'f', records::decimalsShown(unit));
+}
+
+QString enteredText(double value, const std::string& unit) {
+  return QLocale().toString(value, 'f', records::decimalsEdited(value, unit));
 }
 
 QString measuredText(const records::Measurement& measurement) {
-  const std::optional<double>& by = measurement.uncertainty;
-  const QString value = trimmed(QLocale(), measurement.value, by);
-  return by ? tr("%1 ± %2").arg(value, measureText(*by)) : value;
+  const std::string& unit = measurement.unit;
+  const QString value = measureText(measurement.value, unit);
+  if (!measurement.uncertainty) return value;
+  const double by = records::shownUncertainty(*measurement.uncertainty, unit);
+  return tr("%1 ± %2").arg(value, measureText(by, unit));
 }
 
 QString sherdName(const records::SherdRecord& sherd) {
@@ -260,9 +255,10 @@ QString fieldText(const records::SherdRecord& sherd, const std::string& field,
   // Not std::stod: it obeys the language that Qt set.
   const auto value = store::parsedNumber(text);
   if (!value) return {};
-  const QString number = inColumn(*value);
+  const std::string unit = records::unitOfMeasure(field);
+  const QString number = measureText(*value, unit);
   if (const double* computed = computedBeside(sherd, field))
-    return tr("%1 (computed %2)").arg(number, inColumn(*computed));
+    return tr("%1 (computed %2)").arg(number, measureText(*computed, unit));
   return isDoubtful(sherd, field) ? tr("%1 ?").arg(number) : number;
 }
 
@@ -271,7 +267,8 @@ QString typedText(const records::SherdField& field, const std::string& text) {
   if (field.kind != records::FieldKind::Number || !value) return QString::fromStdString(text);
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  return trimmed(locale, *value, {});
+  const int decimals = records::decimalsEdited(*value, records::unitOfMeasure(field.name));
+  return locale.toString(*value, 'f', decimals);
 }
 
 QString inTwoWays(const std::string& field, const QString& typed) {

@@ -32,7 +32,10 @@ QString leftBehindWords(const intake::Move& move);
 QString conditionText(const sherds::Condition& condition);
 /// What people call a measure, with its unit, and its value in the language's form.
 QString measureLabel(const std::string& kind);
-QString measureText(double value);
+/// With the decimals of records::decimalsShown.
+QString measureText(double value, const std::string& unit);
+/// As it was typed, for what tells two values apart.
+QString enteredText(double value, const std::string& unit);
 QString measuredText(const records::Measurement& measurement);  ///< with its uncertainty
 /// A measure of the program whose batch has a doubtful scale; its text ends with a question mark.
 bool isDoubtful(const records::SherdRecord& sherd, const std::string& field);

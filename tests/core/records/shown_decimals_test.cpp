@@ -2,26 +2,43 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ostraka::records {
 namespace {
 
-TEST(DecimalsShown, OfATypedNumberAreThoseThatWereTyped) {
-  EXPECT_EQ(decimalsShown(6.25, {}, 1), 2);
-  EXPECT_EQ(decimalsShown(6.25, 0.4, 1), 2);
-  EXPECT_EQ(decimalsShown(0.125, {}, 1), 3);
-  EXPECT_EQ(decimalsShown(120, {}, 1), 0);
-  EXPECT_EQ(decimalsShown(1205.4, {}, 1), 1);
+TEST(DecimalsShown, AreTenthsOfLengthsAndWeightsAndNoneOfAreasVolumesAndShares) {
+  EXPECT_EQ(decimalsShown("mm"), 1);
+  EXPECT_EQ(decimalsShown("g"), 1);
+  for (const char* whole : {"mm2", "mm3", "pct"}) EXPECT_EQ(decimalsShown(whole), 0) << whole;
 }
 
-TEST(DecimalsShown, OfAComputedNumberAreThoseThatItsUncertaintyBears) {
-  const double computed = 53.929898797564384;
-  EXPECT_EQ(decimalsShown(computed, 0.4, 2), 1);    // 53.9 +- 0.4
-  EXPECT_EQ(decimalsShown(computed, 0.12, 2), 2);   // 53.93 +- 0.12
-  EXPECT_EQ(decimalsShown(computed, 0.012, 2), 3);  // 53.930 +- 0.012
-  EXPECT_EQ(decimalsShown(computed, 30.0, 2), 0);
-  EXPECT_EQ(decimalsShown(computed, {}, 2), 2);
-  EXPECT_EQ(decimalsShown(10 * computed, {}, 2), 2);
-  EXPECT_EQ(decimalsShown(100 * computed, {}, 2), 0);
+TEST(DecimalsShown, AUnitIsThatOfAKindAndOfAField) {
+  EXPECT_EQ(unitOfMeasure("length"), "mm");
+  EXPECT_EQ(unitOfMeasure("thickness_mean_mm"), "mm");
+  EXPECT_EQ(unitOfMeasure("area_mm2"), "mm2");
+  EXPECT_EQ(unitOfMeasure("rim_pct"), "pct");
+  EXPECT_EQ(unitOfMeasure("note"), "");
+}
+
+TEST(DecimalsShown, HalvesAreRoundedAwayFromZeroAndNothingIsMinusZero) {
+  EXPECT_EQ(shownValue(6.25, "mm"), 6.3);
+  EXPECT_EQ(shownValue(-6.25, "mm"), -6.3);
+  EXPECT_EQ(shownValue(11403.739, "mm3"), 11404);
+  EXPECT_FALSE(std::signbit(shownValue(-0.04, "mm")));
+}
+
+TEST(DecimalsShown, AnUncertaintyIsNeverReadAsNone) {
+  EXPECT_EQ(shownUncertainty(0.012, "mm"), 0.1);
+  EXPECT_EQ(shownUncertainty(0.44, "mm"), 0.4);
+  EXPECT_EQ(shownUncertainty(0.2, "mm3"), 1);
+}
+
+TEST(DecimalsShown, WhatCanBeEditedStaysAsItWasTyped) {
+  EXPECT_EQ(decimalsEdited(78, "mm"), 1);
+  EXPECT_EQ(decimalsEdited(6.25, "mm"), 2);
+  EXPECT_EQ(decimalsEdited(15201.5, "mm2"), 1);
+  EXPECT_EQ(decimalsEdited(53.929898797564384, "mm"), 1);
 }
 
 }  // namespace

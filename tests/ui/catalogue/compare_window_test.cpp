@@ -45,7 +45,7 @@ class CompareWindowTest : public CatalogueWindow {
     QCOMPARE(label("secondName"), QString("ARM1-T3-0012-0002"));
     QCOMPARE(rowOf("part"), QStringList({"rim", "body", "differs"}));
     QCOMPARE(rowOf("ware"), QStringList({"grey", "grey", ""}));
-    QCOMPARE(rowOf("length, mm"), QStringList({"40", "42", "differs: +2"}));
+    QCOMPARE(rowOf("length, mm"), QStringList({"40.0", "42.0", "differs: +2.0"}));
     QVERIFY2(rowOf("number").isEmpty(), "each has its own");
     QVERIFY2(rowOf("firing").isEmpty(), "nobody entered it for either");
     QVERIFY(fields()->item(indexOf("part"), 1)->font().bold());

@@ -38,12 +38,14 @@ class FieldWordsTest : public QObject {
  private slots:
   void aMeasurementIsToldWithItsUncertainty() {
     ostraka::records::Measurement measured;
+    measured.unit = "mm";
     measured.value = 53.929898797564384;
-    QCOMPARE(measuredText(measured), QStringLiteral("53.93"));
+    QCOMPARE(measuredText(measured), QStringLiteral("53.9"));
     measured.uncertainty = 0.4;
     QCOMPARE(measuredText(measured), QStringLiteral("53.9 ± 0.4"));
-    measured.value = 53.93;  // as it was typed
-    QCOMPARE(measuredText(measured), QStringLiteral("53.93 ± 0.4"));
+    measured.value = 78;  // with its zero, as beside it
+    measured.uncertainty = 0.02;
+    QCOMPARE(measuredText(measured), QStringLiteral("78.0 ± 0.1"));
   }
 
   void fieldsAreFoundByTheNamesThatTheWindowShows() {
@@ -73,18 +75,18 @@ class FieldWordsTest : public QObject {
     QCOMPARE(withFieldNames("thickness>5 -ware:grey"), QString("thickness>5 -ware:grey"));
   }
 
-  void aMeasureHasNoDigitsThatNobodyTyped() {
+  void allMeasuresOfOneUnitHaveTheSameDecimals() {
     QLocale::setDefault(QLocale(QLocale::German));
-    QCOMPARE(measureText(120), QString("120"));
-    QCOMPARE(measureText(49.4712), QString("49,47"));
-    QCOMPARE(measureText(1205.4321), QLocale().toString(1205));
+    QCOMPARE(measureText(120, "mm"), QString("120,0"));
+    QCOMPARE(measureText(49.4712, "mm"), QString("49,5"));
+    QCOMPARE(measureText(1205.4321, "mm2"), QLocale().toString(1205));
     QLocale::setDefault(QLocale::c());
     ostraka::records::SherdRecord sherd;
     const TermWords words;
     sherd.measures["thickness_mean"] = 6.25;
-    QCOMPARE(fieldText(sherd, "thickness_mean_mm", words), QString("6.25"));
+    QCOMPARE(fieldText(sherd, "thickness_mean_mm", words), QString("6.3"));
     sherd.replaced["thickness_mean"] = 6.1803398875;
-    QCOMPARE(fieldText(sherd, "thickness_mean_mm", words), QString("6.25 (computed 6.2)"));
+    QCOMPARE(fieldText(sherd, "thickness_mean_mm", words), QString("6.3 (computed 6.2)"));
   }
 
   void eachColumnOfASpreadsheetHasAWordOfItsOwn() {
@@ -107,9 +109,9 @@ class FieldWordsTest : public QObject {
       return QString();
     };
     QLocale::setDefault(QLocale("fr_FR"));
-    QCOMPARE(typed("length_mm", "79.84123456"), QString("79,84"));
+    QCOMPARE(typed("length_mm", "79.84123456"), QString("79,8"));
     QCOMPARE(typed("area_mm2", "15201.5"), QString("15201,5"));
-    QCOMPARE(typed("weight_g", "12"), QString("12"));
+    QCOMPARE(typed("weight_g", "12"), QString("12,0"));
     QCOMPARE(typed("note", "79.84"), QString("79.84"));
     QLocale::setDefault(QLocale::c());
     QCOMPARE(typed("length_mm", "79.84"), QString("79.84"));

@@ -148,7 +148,7 @@ QWidget* CatalogueScreen::buildLeft() {
     const QString heading = model_->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
     table_->setColumnWidth(column,
                            std::max(fontMetrics().horizontalAdvance(heading) + 5 * letter,
-                                    column == 0 ? 5 * height / 2 + 25 * letter : 12 * letter));
+                                    column == 0 ? 5 * height / 2 + 22 * letter : 12 * letter));
   }
   freezeFirstColumn(*table_);
   connect(table_, &QTableView::activated, this, [this] { openDetails(); });
@@ -183,7 +183,7 @@ QWidget* CatalogueScreen::buildRight() {
   bulk_ = new BulkEdit(this);
   model_pane_ = new ModelPane(this);
   drawing_ = new DrawingPage(this);
-  QSplitter* one = filled(new QSplitter(Qt::Vertical, this), {{model_pane_, 1}, {details_, 2}});
+  QSplitter* one = filled(new QSplitter(Qt::Vertical, this), {{model_pane_, 3}, {details_, 4}});
   one->setChildrenCollapsible(false);
   one_ = one;
   edit_ = new QStackedWidget(this);
@@ -204,6 +204,7 @@ QWidget* CatalogueScreen::buildRight() {
   show_model_->setAutoRaise(true);
   show_model_->setChecked(true);
   connect(show_model_, &QToolButton::toggled, this, &CatalogueScreen::followModel);
+  connect(model_pane_, &ModelPane::largeChanged, this, &CatalogueScreen::followModel);
   right_->setCornerWidget(show_model_);
   connect(drawing_, &DrawingPage::said, this, &Screen::said);
   connect(drawing_, &DrawingPage::measuresWanted, this,
@@ -245,6 +246,7 @@ void CatalogueScreen::addActions() {
 void CatalogueScreen::openDetails() {
   right_->setCurrentWidget(edit_);
   if (compact_) show_model_->setChecked(false);
+  model_pane_->setLarge(false);
   if (edit_->currentWidget() == many_)
     bulk_->findChild<QLineEdit*>("bulkValue")->setFocus(Qt::ShortcutFocusReason);
   else
@@ -278,8 +280,10 @@ void CatalogueScreen::setCompact(bool compact) {
 
 // Without the model the details have its height.
 void CatalogueScreen::followModel() {
-  model_pane_->setVisible(show_model_->isChecked());
-  details_->setVisible(!compact_ || !show_model_->isChecked());
+  const bool shown = show_model_->isChecked(), large = shown && model_pane_->isLarge();
+  model_pane_->setVisible(shown);
+  left_->setVisible(!large);
+  details_->setVisible(!large && !(compact_ && shown));
 }
 
 void CatalogueScreen::openProject(ProjectSession& session) {
@@ -417,6 +421,7 @@ void CatalogueScreen::showCount() {
   filter_->showCount(rows);
   if (rows == 0) none_->follow(session_);
   left_->setCurrentIndex(rows > 0 ? 0 : model_->filter().conditions.empty() ? 1 : 2);
+  right_->setVisible(left_->currentIndex() != 1);  // of no sherd there is nothing to fill in
   export_->setEnabled(rows > 0);  // the one thing to do is another then
 }
 

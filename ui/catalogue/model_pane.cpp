@@ -84,7 +84,11 @@ ModelPane::ModelPane(QWidget* parent) : QWidget(parent) {
   QToolButton* reset = button("modelReset", "again", tr("From above"));
   connect(section_, &QToolButton::toggled, this, [this](bool on) { view()->setSection(on); });
   connect(reset, &QToolButton::clicked, this, [this] { view()->resetView(); });
-  filled(bareLayout<QHBoxLayout>(acts_), {section_, reset, Part::room()});
+  large_ = button("modelLarge", "picture", tr("Large view"));
+  large_->setCheckable(true);
+  large_->setToolTip(tr("The model alone, as large as the page; again or Esc: beside the table"));
+  connect(large_, &QToolButton::toggled, this, &ModelPane::largeChanged);
+  filled(bareLayout<QHBoxLayout>(acts_), {section_, reset, large_, Part::room()});
   auto* column = bareLayout<QVBoxLayout>(this);
   column->setSpacing(0);
   filled(column, {{pages_, 1}, acts_});
@@ -109,12 +113,21 @@ bool ModelPane::showsModel() const {
   return view_ != nullptr && pages_->currentWidget() == view_;
 }
 
+bool ModelPane::isLarge() const {
+  return large_->isChecked();
+}
+
+void ModelPane::setLarge(bool large) {
+  large_->setChecked(large);
+}
+
 void ModelPane::hideActs() {
   has_acts_ = false;
 }
 
 void ModelPane::settle(const QString& why_no_model) {
   why_no_model_ = why_no_model;
+  if (!why_no_model_.isEmpty()) setLarge(false);
   emit settled();
 }
 
@@ -128,6 +141,7 @@ void ModelPane::clear() {
   if (view_ != nullptr) view_->clear();
   pages_->setCurrentWidget(label_);
   acts_->setVisible(false);
+  setLarge(false);
   showPicture();
 }
 
@@ -211,6 +225,7 @@ void ModelPane::showEvent(QShowEvent* event) {
 }
 
 void ModelPane::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && isLarge()) return setLarge(false);
   if (!showsModel() || !view_->turnByKey(event->key())) QWidget::keyPressEvent(event);
 }
 

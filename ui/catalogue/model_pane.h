@@ -22,6 +22,9 @@ class SherdView;
 class ModelPane final : public QWidget {
   Q_OBJECT
 
+ public slots:
+  void setLarge(bool large);
+
  public:
   explicit ModelPane(QWidget* parent = nullptr);
 
@@ -33,11 +36,13 @@ class ModelPane final : public QWidget {
   SherdView* modelView() const { return view_; }
   /// A sentence; empty: the model is shown, or on its way.
   const QString& whyNoModel() const { return why_no_model_; }
+  bool isLarge() const;  ///< a person wants nothing beside the model
   void hideActs();  ///< the page around has them, for more than this one
   QSize sizeHint() const override;
 
  signals:
   void settled();  ///< the model is shown, or whyNoModel() says why not
+  void largeChanged();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -65,6 +70,7 @@ class ModelPane final : public QWidget {
   QWidget* acts_ = nullptr;
   bool has_acts_ = true;
   QToolButton* section_ = nullptr;
+  QToolButton* large_ = nullptr;
 };
 
 }  // namespace ostraka::ui

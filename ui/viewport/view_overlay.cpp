@@ -124,12 +124,17 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
   double wide = scale ? std::max(metrics.horizontalAdvance(title), 2 * (ends + line)) : 0;
   for (const Row& row : rows) wide = std::max(wide, metrics.horizontalAdvance(row.words) + line);
   const double high = (static_cast<double>(rows.size()) + (scale ? 3 : 0)) * line;
+  QPointF at(edge, edge);
+  // A model fills the picture: its line stands beside the bar, which takes a third at most.
+  if (legend_ == Legend::FilledModel && wide + 2 * line < 2 * width() / 3.0)
+    at = {width() - wide - edge, height() - edge - line};
   painter.setPen(Qt::NoPen);
   QColor ground = StateColours::matte();
   ground.setAlphaF(kPanelOpacity);
   painter.setBrush(ground);
-  painter.drawRoundedRect(QRectF(edge / 2, edge / 2, wide + edge, high + edge), edge / 2, edge / 2);
-  QPointF at(edge, edge);
+  painter.drawRoundedRect(QRectF(at, QSizeF(wide, high)).adjusted(-edge / 2, -edge / 2, edge / 2,
+                                                                  edge / 2),
+                          edge / 2, edge / 2);
   if (scale) {
     painter.setPen(StateColours::inkOnMatte());
     painter.drawText(QRectF(at, QSizeF(wide, line)), Qt::AlignLeft, title);

@@ -2,6 +2,7 @@
 #include "ui/catalogue/model_pane.h"
 
 #include <QOpenGLWidget>
+#include <QToolButton>
 
 #include "catalogue_window.h"
 #include "cloud/glb.h"
@@ -43,6 +44,22 @@ class ModelPaneTest : public CatalogueWindow {
     choose(0);
     QTRY_VERIFY(child<ModelPane>("model")->showsModel());
     QTRY_COMPARE(blueShare(), 0.0);
+  }
+
+  void theModelCanBeAsLargeAsThePage() {
+    sample_->giveModel(0);
+    choose(0);
+    auto* pane = child<ModelPane>("model");
+    QTRY_VERIFY(pane->showsModel());
+    const QSize beside = pane->size();
+    QVERIFY2(beside.height() >= 200, qPrintable(QString::number(beside.height())));
+    auto* large = child<QToolButton>("modelLarge");
+    QTest::mouseClick(large, Qt::LeftButton);
+    QTRY_VERIFY(pane->width() > 2 * beside.width() && pane->height() > 1.5 * beside.height());
+    QVERIFY(!table()->isVisible());
+    QTest::keyClick(large, Qt::Key_Escape);
+    QTRY_COMPARE(pane->size(), beside);
+    QVERIFY(table()->isVisible());
   }
 
  private:

@@ -51,7 +51,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   connectParts();
   addWindowActions(*this, *undo_, *work_->sidebar(), *work_->header());
   applySettings(settings_);
-  start_->setRecent(settings_.recent, settings_.titles);
+  start_->setRecent(settings_.recent, settings_.projects);
   connect(queue_, &BatchQueue::batchComputed, care_, &ProjectCare::measureRoom);
   connect(care_, &ProjectCare::roomMeasured, work_->header(), &HeaderLine::setRoom);
   connect(care_, &ProjectCare::said, work_->footer(), &FooterLine::say);
@@ -100,7 +100,7 @@ void MainWindow::connectParts() {
   connect(begun, &BegunProject::removed, this, [this](const QString& folder) {
     settings_.forget(folder);
     settings_.keep();
-    start_->setRecent(settings_.recent, settings_.titles);
+    start_->setRecent(settings_.recent, settings_.projects);
   });
   auto* repair = new CatalogueRepair(runner_, this);
   connect(start_, &StartScreen::repairWanted, repair, &CatalogueRepair::repair);
@@ -174,7 +174,8 @@ void MainWindow::showTitle() {
   const bool read_only = !session()->whyReadOnly().isEmpty();
   const QString shown = read_only ? tr("%1 (read-only)").arg(title) : title;
   work_->setTitle(shown);
-  settings_.remember(QString::fromStdString(session()->folder().string()), title);
+  settings_.remember(QString::fromStdString(session()->folder().string()),
+                     {title, queue_->unfinished()});
   settings_.keep();
   setWindowTitle(tr("%1 - Ostraka").arg(shown));
 }
@@ -183,13 +184,14 @@ void MainWindow::closeProject() {
   if (session() == nullptr) return;
   // What stands in a field without Return or Tab after it is saved too.
   if (auto* typing = qobject_cast<QLineEdit*>(focusWidget())) emit typing->editingFinished();
+  showTitle();  // remembers what is left to do
   work_->closeProject();
   settings_page_->setSession(nullptr);
   care_->end();
   undo_->removeStack(&session()->undo());
   project_->close();
   setWindowTitle(tr("Ostraka"));
-  start_->setRecent(settings_.recent, settings_.titles);
+  start_->setRecent(settings_.recent, settings_.projects);
   all_->setCurrentWidget(start_area_);
 }
 

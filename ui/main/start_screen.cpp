@@ -23,6 +23,7 @@
 #include "ui/import/path_drop.h"
 #include "ui/import/print_sheet_button.h"
 #include "ui/look/look.h"
+#include "ui/look/style.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/message_panel.h"
@@ -74,7 +75,7 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
   auto* title = new QLabel(tr("Ostraka"), this);
   title->setFont(scaledFont(*this, Look::kDecides, true));
   auto* words = new QLabel(tr("Potsherds, both sides, complete and measured."), this);
-  words->setForegroundRole(QPalette::PlaceholderText);
+  words->setForegroundRole(kSecondaryText);
   auto* columns = filled(new QHBoxLayout, {{buildRecent(), 1}});
   columns->addSpacing(Look::kMargin - Look::kGap);
   columns->addWidget(buildNew(), 1);
@@ -156,7 +157,7 @@ QWidget* StartScreen::buildNew() {
   numbering_ = field("newNumbering");
   name_->setPlaceholderText(tr("Aragats 2026"));
   site_->setPlaceholderText(QStringLiteral("ARM1"));
-  numbering_->setText(fresh_->numbering());
+  showNumbering();
   auto* browse = named<QToolButton>({"newBrowse", tr("Choose the folder")}, box);
   browse->setText(tr("Choose…"));
   example_ = named<QLabel>("newExample", box);
@@ -187,16 +188,25 @@ QWidget* StartScreen::buildNew() {
   return box;
 }
 
-void StartScreen::setRecent(const QStringList& folders, const QMap<QString, QString>& titles) {
+// From its beginning, also where it is longer than the field.
+void StartScreen::showNumbering() {
+  numbering_->setText(fresh_->numbering());
+  numbering_->setCursorPosition(0);
+}
+
+void StartScreen::setRecent(const QStringList& folders,
+                            const QMap<QString, RecentProject>& projects) {
   recent_->clear();
   for (const QString& folder : folders) {
     const QFileInfo catalogue(folder + QStringLiteral("/catalogue.sqlite"));
-    const QString title = titles.value(folder, QDir(folder).dirName());
-    auto* item = new QListWidgetItem(
-        isThere(folder)
-            ? tr("%1\n%2, %3").arg(title, shortPath(folder), momentWords(catalogue.lastModified()))
-            : tr("%1\n%2 is not there: find it…").arg(title, shortPath(folder)),
-        recent_);
+    const RecentProject known = projects.value(folder, {QDir(folder).dirName(), 0});
+    QString words = tr("%1\n%2 is not there: find it…").arg(known.title, shortPath(folder));
+    if (isThere(folder))
+      words = tr("%1\n%2, %3")
+                  .arg(known.title, shortPath(folder), momentWords(catalogue.lastModified()));
+    if (isThere(folder) && known.unfinished > 0)
+      words = tr("%1; %n batch(es) unfinished", nullptr, known.unfinished).arg(words);
+    auto* item = new QListWidgetItem(words, recent_);
     // Moved, or on a disk that is unplugged: it comes back with it.
     if (!isThere(folder))
       item->setForeground(palette().color(QPalette::Disabled, QPalette::WindowText));
@@ -325,7 +335,7 @@ void StartScreen::make() {
   name_->clear();
   site_->clear();
   fresh_->clear();
-  numbering_->setText(fresh_->numbering());
+  showNumbering();
   emit made(*project);
 }
 

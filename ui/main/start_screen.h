@@ -4,6 +4,7 @@
 
 #include "ui/look/state_colours.h"
 #include "ui/main/new_project.h"
+#include "ui/settings/window_settings.h"
 
 class QLabel;
 class QLineEdit;
@@ -22,8 +23,8 @@ class StartScreen final : public QWidget {
 
  public:
   explicit StartScreen(Thumbnails* thumbnails, QWidget* parent = nullptr);
-  /// titles: of the projects, by folder. One whose folder is gone stays, to be found again.
-  void setRecent(const QStringList& folders, const QMap<QString, QString>& titles);
+  /// projects: by folder. One whose folder is gone stays, to be found again.
+  void setRecent(const QStringList& folders, const QMap<QString, RecentProject>& projects);
   /// Of a damaged catalogue it offers the repair, of an archive that it is restored.
   void showError(const Error& error);
   /// project: may be opened now; empty: not.

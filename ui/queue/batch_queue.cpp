@@ -393,6 +393,11 @@ int BatchQueue::waitingToCompute() const {
   }));
 }
 
+int BatchQueue::unfinished() const {
+  return static_cast<int>(std::ranges::count_if(
+      rows_, [](const QueueRow& row) { return row.state != QueueState::Done && !row.aside; }));
+}
+
 int BatchQueue::failed() const {
   return static_cast<int>(std::ranges::count_if(rows_, [](const QueueRow& row) {
     return row.state == QueueState::Failed && !row.cancelled;

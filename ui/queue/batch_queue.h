@@ -76,6 +76,7 @@ class BatchQueue final : public QAbstractListModel {
   double workFraction() const;  ///< below 0: nothing is computed
   int waitingToCompute() const;
   int failed() const;
+  int unfinished() const;  ///< neither done nor set aside
   /// The log of the batch that is computed or was computed last, newest line last.
   const QStringList& log() const { return log_; }
 

@@ -31,9 +31,9 @@ WindowSettings merged(const WindowSettings& known, const WindowSettings& mine,
   for (const QString& project : stored.recent) {
     if (mine.recent.contains(project) || known.recent.contains(project)) continue;
     both.recent.append(project);
-    both.titles[project] = stored.titles.value(project);
+    both.projects[project] = stored.projects.value(project);
   }
-  while (both.recent.size() > kMostRecentProjects) both.titles.remove(both.recent.takeLast());
+  while (both.recent.size() > kMostRecentProjects) both.projects.remove(both.recent.takeLast());
   return both;
 }
 
@@ -43,16 +43,16 @@ QLocale localeOf(const WindowSettings& settings) {
   return settings.language.isEmpty() ? QLocale::system() : QLocale(settings.language);
 }
 
-void WindowSettings::remember(const QString& project, const QString& title) {
-  recent.removeAll(project);
-  recent.prepend(project);
-  titles[project] = title;
-  while (recent.size() > kMostRecentProjects) titles.remove(recent.takeLast());
+void WindowSettings::remember(const QString& folder, const RecentProject& project) {
+  recent.removeAll(folder);
+  recent.prepend(folder);
+  projects[folder] = project;
+  while (recent.size() > kMostRecentProjects) projects.remove(recent.takeLast());
 }
 
 void WindowSettings::forget(const QString& project) {
   recent.removeAll(project);
-  titles.remove(project);
+  projects.remove(project);
 }
 
 void WindowSettings::moved(const QString& from, const QString& to) {
@@ -60,7 +60,7 @@ void WindowSettings::moved(const QString& from, const QString& to) {
   if (at < 0 || from == to) return;
   recent.removeAll(to);
   recent.replace(recent.indexOf(from), to);
-  titles[to] = titles.take(from);
+  projects[to] = projects.take(from);
 }
 
 WindowSettings readSettings() {
@@ -75,8 +75,10 @@ WindowSettings readSettings() {
                              QThread::idealThreadCount(), settings.threads);
   settings.recent = kept.value(QStringLiteral("recent")).toStringList();
   const QVariantMap titles = kept.value(QStringLiteral("titles")).toMap();
-  for (const QString& project : settings.recent)
-    if (titles.contains(project)) settings.titles[project] = titles[project].toString();
+  const QVariantMap unfinished = kept.value(QStringLiteral("unfinished")).toMap();
+  for (const QString& folder : settings.recent)
+    if (titles.contains(folder))
+      settings.projects[folder] = {titles[folder].toString(), unfinished[folder].toInt()};
   settings.geometry = kept.value(QStringLiteral("geometry")).toByteArray();
   return settings;
 }
@@ -89,10 +91,13 @@ void writeSettings(const WindowSettings& settings) {
   kept.setValue(QStringLiteral("initials"), settings.initials);
   kept.setValue(QStringLiteral("threads"), settings.threads);
   kept.setValue(QStringLiteral("recent"), settings.recent);
-  QVariantMap titles;
-  for (auto title = settings.titles.begin(); title != settings.titles.end(); ++title)
-    titles[title.key()] = title.value();
+  QVariantMap titles, unfinished;
+  for (auto project = settings.projects.begin(); project != settings.projects.end(); ++project) {
+    titles[project.key()] = project->title;
+    unfinished[project.key()] = project->unfinished;
+  }
   kept.setValue(QStringLiteral("titles"), titles);
+  kept.setValue(QStringLiteral("unfinished"), unfinished);
   kept.setValue(QStringLiteral("geometry"), settings.geometry);
 }
 

@@ -9,6 +9,14 @@
 
 namespace ostraka::ui {
 
+/// What is told of a project that is not open.
+struct RecentProject {
+  QString title;
+  int unfinished = 0;  ///< batches that were not done when it was last open
+
+  bool operator==(const RecentProject&) const = default;
+};
+
 /// What the program remembers about a person and a computer, not about a project.
 struct WindowSettings {
   Theme theme = Theme::System;
@@ -16,11 +24,11 @@ struct WindowSettings {
   QString language;               ///< "de"; empty: as the desktop
   QString initials;               ///< who decides and edits: goes into the history of each change
   int threads = 0;                ///< that a computation may use; 0: all
-  QStringList recent;             ///< folders of projects, the last one first
-  QMap<QString, QString> titles;  ///< of those, by folder
-  QByteArray geometry;            ///< of the window
+  QStringList recent;                     ///< folders of projects, the last one first
+  QMap<QString, RecentProject> projects;  ///< of those, by folder
+  QByteArray geometry;                    ///< of the window
 
-  void remember(const QString& project, const QString& title);
+  void remember(const QString& folder, const RecentProject& project);
   void forget(const QString& project);
   void moved(const QString& from, const QString& to);  ///< a project's folder
 };

@@ -29,6 +29,7 @@
 #include "ui/main/window_place.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/queue/queue_switches.h"
 #include "ui/settings/window_settings.h"
 #include "ui/widgets/message_panel.h"
 #include "upkeep/project.h"
@@ -70,6 +71,24 @@ class MainWindowTest : public QObject {
     QCOMPARE(named<QLabel>(window, "headerWhere")->text(), QStringLiteral("Aragats 2026"));
     window.closeProject();
     QVERIFY(recent(window)->item(0)->text().startsWith("Aragats 2026"));
+  }
+
+  void theStartScreenTellsWhichProjectsHaveUnfinishedBatches() {
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    window.queue()->switches()->setPaused(true);
+    for (const auto state : {records::BatchState::Queued, records::BatchState::Done}) {
+      records::BatchRecord batch;
+      batch.state = state;
+      const auto added =
+          catalogue::Batches(window.session()->project().catalogue()).add(batch, {});
+      QVERIFY(added.has_value());
+    }
+    window.session()->tellBatchChanged({});
+    window.closeProject();
+    const QString told = recent(window)->item(0)->text();
+    QVERIFY2(told.endsWith("1 batch(es) unfinished"), qPrintable(told));
   }
 
   void aProjectThatIsGoneIsListedAndFoundAgain() {

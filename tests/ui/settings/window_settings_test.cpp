@@ -34,31 +34,32 @@ class WindowSettingsTest : public QObject {
 
   void aProjectKeepsItsTitleAndItsPlaceWhenItIsMoved() {
     WindowSettings settings;
-    settings.remember("/a", "Aragats");
-    settings.remember("/b", "Other");
+    settings.remember("/a", {"Aragats", 2});
+    settings.remember("/b", {"Other", 0});
     settings.moved("/a", "/new/a");
     writeSettings(settings);
     const WindowSettings back = readSettings();
     QCOMPARE(back.recent, (QStringList{"/b", "/new/a"}));
-    QCOMPARE(back.titles, (QMap<QString, QString>{{"/b", "Other"}, {"/new/a", "Aragats"}}));
+    QCOMPARE(back.projects,
+             (QMap<QString, RecentProject>{{"/b", {"Other", 0}}, {"/new/a", {"Aragats", 2}}}));
   }
 
   void whatAnotherWindowChangedMeanwhileStays() {
     OpenSettings first;
-    first.remember("/a", "Aragats");
+    first.remember("/a", {"Aragats", 0});
     first.keep();
     OpenSettings mine, other;
     mine.theme = Theme::Dark;
     other.theme = Theme::Sunlight;
     other.language = QStringLiteral("de");
-    other.remember("/b", "Other");
+    other.remember("/b", {"Other", 0});
     other.keep();
     mine.keep();
     for (const WindowSettings& both : {static_cast<WindowSettings>(mine), readSettings()}) {
       QCOMPARE(both.theme, Theme::Dark);
       QCOMPARE(both.language, QString("de"));
       QCOMPARE(both.recent, (QStringList{"/a", "/b"}));
-      QCOMPARE(both.titles.value("/b"), QString("Other"));
+      QCOMPARE(both.projects.value("/b").title, QString("Other"));
     }
     other.theme = Theme::Light;  // mine changed nothing since
     other.keep();
@@ -68,7 +69,7 @@ class WindowSettingsTest : public QObject {
 
   void aProjectThatWasForgottenHereDoesNotComeBack() {
     OpenSettings settings;
-    settings.remember("/a", "Aragats");
+    settings.remember("/a", {"Aragats", 0});
     settings.keep();
     settings.forget("/a");
     settings.keep();

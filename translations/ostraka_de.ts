@@ -1408,12 +1408,12 @@
     <message>
         <source>%1: stopping…</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1: wird abgebrochen…</translation>
+      <translation>%1: wird abgebrochen …</translation>
     </message>
     <message>
         <source>Stopping…</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Wird abgebrochen…</translation>
+      <translation>Wird abgebrochen …</translation>
     </message>
     <message>
       <source>%1, %2 %</source>
@@ -2065,9 +2065,9 @@
       <translation>Vor dem Abräumen die Platte ansehen</translation>
     </message>
     <message>
-      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <source>Fronts up, two centimetres apart, the markers at the edge of the plate free.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vorderseite oben, einen Finger breit Abstand, die Marken am Rand frei.</translation>
+      <translation>Vorderseite oben, zwei Zentimeter Abstand, die Marken am Rand frei.</translation>
     </message>
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
@@ -2126,6 +2126,21 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotos behalten</translation>
+    </message>
+    <message>
+      <source>Stopping…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wird angehalten …</translation>
+    </message>
+    <message>
+      <source>%1 is processed; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist verarbeitet; der nächste Durchgang ist eine Taste entfernt.</translation>
+    </message>
+    <message>
+      <source>No photograph of this side has been taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von dieser Seite ist noch kein Foto aufgenommen.</translation>
     </message>
 </context>
 <context>
@@ -3525,6 +3540,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kein Modell: Die Scherbe gehört zu keinem Durchgang mit Fotos.</translation>
     </message>
+    <message>
+      <source>Large view</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Große Ansicht</translation>
+    </message>
+    <message>
+      <source>The model alone, as large as the page; again or Esc: beside the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Modell allein, so groß wie die Seite; noch einmal oder Esc: neben der Tabelle</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -4843,6 +4868,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Noch nicht gespeichert: %1. Die Enter-Taste im Feld speichert es.</translation>
     </message>
+    <message>
+      <source>-0599/-0549: 600 to 550 BC</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>-0599/-0549: 600 bis 550 v. Chr.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -5088,12 +5118,12 @@
     <message>
         <source>&amp;Restore an archive…</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Archiv &amp;wiederherstellen…</translation>
+      <translation>Archiv &amp;wiederherstellen …</translation>
     </message>
     <message>
         <source>Restore…</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Wiederherstellen…</translation>
+      <translation>Wiederherstellen …</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -5124,6 +5154,14 @@
       <source>Open project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projekt öffnen</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n batch(es) unfinished</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1; %n Durchgang unfertig</numerusform>
+        <numerusform>%1; %n Durchgänge unfertig</numerusform>
+      </translation>
     </message>
 </context>
 <context>

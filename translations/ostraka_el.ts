@@ -2065,9 +2065,9 @@
       <translation>Κοιτάξτε τον δίσκο πριν τον αδειάσετε</translation>
     </message>
     <message>
-      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <source>Fronts up, two centimetres apart, the markers at the edge of the plate free.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μπροστινή όψη επάνω, απόσταση ενός δακτύλου, οι δείκτες στην άκρη του δίσκου ελεύθεροι.</translation>
+      <translation>Μπροστινή όψη επάνω, απόσταση δύο εκατοστών, οι δείκτες στην άκρη του δίσκου ελεύθεροι.</translation>
     </message>
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
@@ -2126,6 +2126,21 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διατήρηση των φωτογραφιών</translation>
+    </message>
+    <message>
+      <source>Stopping…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακόπτεται…</translation>
+    </message>
+    <message>
+      <source>%1 is processed; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 έχει υποστεί επεξεργασία· η επόμενη παρτίδα απέχει ένα πλήκτρο.</translation>
+    </message>
+    <message>
+      <source>No photograph of this side has been taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν έχει τραβηχτεί καμία φωτογραφία αυτής της όψης.</translation>
     </message>
 </context>
 <context>
@@ -3525,6 +3540,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χωρίς μοντέλο: το όστρακο δεν ανήκει σε καμία παρτίδα φωτογραφιών.</translation>
     </message>
+    <message>
+      <source>Large view</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μεγάλη προβολή</translation>
+    </message>
+    <message>
+      <source>The model alone, as large as the page; again or Esc: beside the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μόνο το μοντέλο, σε όλη τη σελίδα· ξανά ή Esc: δίπλα στον πίνακα</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -4843,6 +4868,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν αποθηκεύτηκε ακόμη: %1. Το Enter στο πεδίο το αποθηκεύει.</translation>
     </message>
+    <message>
+      <source>-0599/-0549: 600 to 550 BC</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>-0599/-0549: 600 έως 550 π.Χ.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -5124,6 +5154,14 @@
       <source>Open project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Άνοιγμα έργου</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n batch(es) unfinished</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1· %n παρτίδα ημιτελής</numerusform>
+        <numerusform>%1· %n παρτίδες ημιτελείς</numerusform>
+      </translation>
     </message>
 </context>
 <context>

@@ -471,4 +471,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ostraka::ui::StartScreen</name>
+    <message numerus="yes">
+      <source>%1; %n batch(es) unfinished</source>
+      <translation>
+        <numerusform>%1; %n batch unfinished</numerusform>
+        <numerusform>%1; %n batches unfinished</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

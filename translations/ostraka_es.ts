@@ -2065,9 +2065,9 @@
       <translation>Mire el plato antes de despejarlo</translation>
     </message>
     <message>
-      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <source>Fronts up, two centimetres apart, the markers at the edge of the plate free.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Anverso arriba, un dedo de separación, las marcas del borde libres.</translation>
+      <translation>Anverso arriba, dos centímetros de separación, las marcas del borde libres.</translation>
     </message>
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
@@ -2126,6 +2126,21 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Conservar las fotos</translation>
+    </message>
+    <message>
+      <source>Stopping…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deteniéndose…</translation>
+    </message>
+    <message>
+      <source>%1 is processed; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 está procesada; la siguiente tanda está a una tecla.</translation>
+    </message>
+    <message>
+      <source>No photograph of this side has been taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se ha tomado ninguna fotografía de este lado.</translation>
     </message>
 </context>
 <context>
@@ -3525,6 +3540,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay modelo: el fragmento no pertenece a ninguna tanda de fotografías.</translation>
     </message>
+    <message>
+      <source>Large view</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vista grande</translation>
+    </message>
+    <message>
+      <source>The model alone, as large as the page; again or Esc: beside the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Solo el modelo, tan grande como la página; otra vez o Esc: junto a la tabla</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -4843,6 +4868,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aún no guardado: %1. Intro en el campo lo guarda.</translation>
     </message>
+    <message>
+      <source>-0599/-0549: 600 to 550 BC</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>-0599/-0549: 600 a 550 a. C.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -5124,6 +5154,14 @@
       <source>Open project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Abrir proyecto</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n batch(es) unfinished</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1; %n tanda sin terminar</numerusform>
+        <numerusform>%1; %n tandas sin terminar</numerusform>
+      </translation>
     </message>
 </context>
 <context>

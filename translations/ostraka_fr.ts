@@ -2065,9 +2065,9 @@
       <translation>Regardez le plateau avant de le débarrasser</translation>
     </message>
     <message>
-      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <source>Fronts up, two centimetres apart, the markers at the edge of the plate free.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Face avant vers le haut, un doigt d’écart, les marques du bord dégagées.</translation>
+      <translation>Face avant vers le haut, deux centimètres d’écart, les marques du bord dégagées.</translation>
     </message>
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
@@ -2126,6 +2126,21 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Garder les photos</translation>
+    </message>
+    <message>
+      <source>Stopping…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêt en cours…</translation>
+    </message>
+    <message>
+      <source>%1 is processed; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est traité ; le lot suivant est à une touche.</translation>
+    </message>
+    <message>
+      <source>No photograph of this side has been taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune photographie de cette face n’a été prise.</translation>
     </message>
 </context>
 <context>
@@ -3525,6 +3540,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pas de modèle : le tesson n&apos;appartient à aucun lot de photographies.</translation>
     </message>
+    <message>
+      <source>Large view</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Grande vue</translation>
+    </message>
+    <message>
+      <source>The model alone, as large as the page; again or Esc: beside the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le modèle seul, aussi grand que la page ; encore une fois ou Échap : à côté du tableau</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -4843,6 +4868,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pas encore enregistré : %1. Entrée dans le champ l&apos;enregistre.</translation>
     </message>
+    <message>
+      <source>-0599/-0549: 600 to 550 BC</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>-0599/-0549 : 600 à 550 av. J.-C.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -5124,6 +5154,14 @@
       <source>Open project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ouvrir le projet</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n batch(es) unfinished</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1 ; %n lot inachevé</numerusform>
+        <numerusform>%1 ; %n lots inachevés</numerusform>
+      </translation>
     </message>
 </context>
 <context>

@@ -2065,9 +2065,9 @@
       <translation>Ազատելուց առաջ նայեք սկավառակին</translation>
     </message>
     <message>
-      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <source>Fronts up, two centimetres apart, the markers at the edge of the plate free.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսը վեր, մեկ մատ հեռավորություն, եզրի նշիչներն ազատ։</translation>
+      <translation>Առջևի երեսը վեր, երկու սանտիմետր հեռավորություն, եզրի նշիչներն ազատ։</translation>
     </message>
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
@@ -2126,6 +2126,21 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահել լուսանկարները</translation>
+    </message>
+    <message>
+      <source>Stopping…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցվում է…</translation>
+    </message>
+    <message>
+      <source>%1 is processed; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը մշակված է. հաջորդ խմբաքանակը մեկ սեղմում հեռու է։</translation>
+    </message>
+    <message>
+      <source>No photograph of this side has been taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս երեսից ոչ մի լուսանկար չի արվել։</translation>
     </message>
 </context>
 <context>
@@ -3525,6 +3540,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մոդել չկա. բեկորը լուսանկարների ոչ մի խմբաքանակի չի պատկանում։</translation>
     </message>
+    <message>
+      <source>Large view</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեծ տեսք</translation>
+    </message>
+    <message>
+      <source>The model alone, as large as the page; again or Esc: beside the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միայն մոդելը՝ ամբողջ էջով. կրկին կամ Esc՝ աղյուսակի կողքին</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -4843,6 +4868,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դեռ պահված չէ՝ %1։ Դաշտում Enter-ը պահում է։</translation>
     </message>
+    <message>
+      <source>-0599/-0549: 600 to 550 BC</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>-0599/-0549՝ մ.թ.ա. 600–550</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -5124,6 +5154,14 @@
       <source>Open project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բացել նախագիծը</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n batch(es) unfinished</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1; %n խմբաքանակ անավարտ</numerusform>
+        <numerusform>%1; %n խմբաքանակ անավարտ</numerusform>
+      </translation>
     </message>
 </context>
 <context>

@@ -2043,9 +2043,9 @@
       <translation>Boşaltmadan önce tablaya bakın</translation>
     </message>
     <message>
-      <source>Fronts up, a finger&apos;s width apart, the markers at the edge of the plate free.</source>
+      <source>Fronts up, two centimetres apart, the markers at the edge of the plate free.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüz yukarıda, bir parmak aralık, kenardaki işaretler açıkta.</translation>
+      <translation>Ön yüz yukarıda, iki santimetre aralık, kenardaki işaretler açıkta.</translation>
     </message>
     <message>
       <source>Hands off the turntable. Esc stops it at once.</source>
@@ -2103,6 +2103,21 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğrafları tut</translation>
+    </message>
+    <message>
+      <source>Stopping…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durduruluyor…</translation>
+    </message>
+    <message>
+      <source>%1 is processed; the next batch is one key away.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 işlendi; sonraki parti bir tuş ötede.</translation>
+    </message>
+    <message>
+      <source>No photograph of this side has been taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu yüzün hiç fotoğrafı çekilmedi.</translation>
     </message>
 </context>
 <context>
@@ -3482,6 +3497,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Model yok: parça hiçbir fotoğraf partisine ait değil.</translation>
     </message>
+    <message>
+      <source>Large view</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Büyük görünüm</translation>
+    </message>
+    <message>
+      <source>The model alone, as large as the page; again or Esc: beside the table</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yalnız model, sayfa kadar büyük; yeniden ya da Esc: tablonun yanında</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::NewProject</name>
@@ -4797,6 +4822,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Henüz kaydedilmedi: %1. Alanda Enter kaydeder.</translation>
     </message>
+    <message>
+      <source>-0599/-0549: 600 to 550 BC</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>-0599/-0549: MÖ 600 – 550</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>
@@ -5076,6 +5106,13 @@
       <source>Open project</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projeyi aç</translation>
+    </message>
+    <message numerus="yes">
+      <source>%1; %n batch(es) unfinished</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%1; %n parti bitmedi</numerusform>
+      </translation>
     </message>
 </context>
 <context>

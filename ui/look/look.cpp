@@ -41,8 +41,9 @@ QPalette filled(const Colours& c) {
   made.setColor(QPalette::AlternateBase, c.page);
   made.setColor(QPalette::Button, c.raised);
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
-                                         QPalette::ToolTipText, QPalette::BrightText})
+                                         QPalette::ToolTipText})
     made.setColor(role, c.text);
+  made.setColor(kSecondaryText, c.secondary);
   made.setColor(QPalette::ToolTipBase, c.raised);
   made.setColor(QPalette::PlaceholderText, mixed(c.text, c.surface, 0.35));
   made.setColor(QPalette::Mid, c.border);

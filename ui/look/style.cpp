@@ -86,6 +86,10 @@ class OstrakaStyle final : public QProxyStyle {
         return panel(*painter, *option, (option->state & State_AutoRaise) != 0);
       case PE_FrameLineEdit:
         return frame(*painter, option->rect, *option, Look::kCorner);
+      case PE_Frame:
+        return edgeOf(*painter, *option, 0);
+      case PE_FrameGroupBox:
+        return edgeOf(*painter, *option, Look::kCorner);
       case PE_FrameFocusRect:
         return outline(*painter, option->rect, colours.color(QPalette::Highlight), Look::kFocus,
                        Look::kCorner / 2.0);
@@ -152,6 +156,12 @@ class OstrakaStyle final : public QProxyStyle {
     painter.drawRoundedRect(QRectF(where).adjusted(inwards, inwards, -inwards, -inwards), corner,
                             corner);
     painter.restore();
+  }
+
+  // Of what groups other things: nothing in it can be pressed, and it needs no shade.
+  static void edgeOf(QPainter& painter, const QStyleOption& option, double corner) {
+    const Colours& c = coloursOf(option.palette);
+    outline(painter, option.rect, c.border, c.border_width, corner);
   }
 
   static void frame(QPainter& painter, const QRect& where, const QStyleOption& option,

@@ -22,6 +22,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr int kLeastWidth_px = 2, kMostWidth_px = 200, kUsualWidth_px = 24;
+constexpr int kLettersOfAName = 18;  // "front, IMG_0001.jpg"
 
 // Beside the list of photographs, where it is never without room.
 QToolButton* arrow(QAction* step, QWidget* parent) {
@@ -52,7 +53,7 @@ MaskPage::MaskPage(QWidget* parent)
                          this, [this] { step(-1); });
   next_ = addPageAct(this, "masksNext", "down", tr("Next photograph"), Qt::Key_PageDown, this,
                      [this] { step(1); });
-  compute_ = addPageAct(this, "masksCompute", "retry", tr("Reprocess"), Qt::Key_C, this,
+  compute_ = addPageAct(this, "masksCompute", "retry", tr("Reprocess"), Qt::Key_R, this,
                         [this] { emit computeWanted(model_->batch()); });
   for (QAction* once : {back_, compute_}) once->setAutoRepeat(false);
   auto* brush = new QActionGroup(this);
@@ -81,7 +82,7 @@ MaskPage::MaskPage(QWidget* parent)
 
 void MaskPage::buildLayout() {
   title_->setFont(scaledFont(*this, Look::kSection, true));
-  which_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  which_->setMinimumContentsLength(kLettersOfAName);
   width_->setRange(kLeastWidth_px, kMostWidth_px);
   width_->setValue(kUsualWidth_px);
   width_->setFixedWidth(fontMetrics().averageCharWidth() * 20);

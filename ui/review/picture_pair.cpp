@@ -211,7 +211,8 @@ void PicturePair::paintEvent(QPaintEvent*) {
   const double pixels = 10 / frame_.px_mm * scale();
   const QPointF from(line / 2, height() - line / 2);
   painter.drawLine(from, from + QPointF(pixels, 0));
-  painter.drawText(from + QPointF(0, -line / 4), tr("%1 mm").arg(QLocale().toString(10)));
+  const double clear = line / 8 + painter.pen().widthF();
+  painter.drawText(from + QPointF(0, -clear), tr("%1 mm").arg(QLocale().toString(10)));
 }
 
 }  // namespace ostraka::ui

@@ -236,7 +236,7 @@ QWidget* SherdDetails::editorFor(const std::string& field, records::FieldKind ki
           tr("7 is the running number in the sherd's context; =7 is the number 7 "
              "itself."));
     if (kind == records::FieldKind::Edtf)
-      line->setPlaceholderText(QStringLiteral("-0599/-0549~, 0350/.."));
+      line->setPlaceholderText(tr("-0599/-0549: 600 to 550 BC"));
     if (kind == records::FieldKind::Terms) {
       auto* completer = new QCompleter(new QStringListModel(line), line);
       completer->setCaseSensitivity(Qt::CaseInsensitive);

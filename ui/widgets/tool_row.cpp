@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/look/look.h"
+#include "ui/look/style.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/parts.h"
 
@@ -47,7 +48,7 @@ void ToolRow::addWidget(QWidget* widget) {
 void ToolRow::addGroup(const QString& caption, const QList<QAction*>& actions) {
   Group group{new QLabel(caption, this), {}};
   group.caption->setFont(scaledFont(*this, Look::kCaption));
-  group.caption->setForegroundRole(QPalette::PlaceholderText);
+  group.caption->setForegroundRole(kSecondaryText);
   for (QAction* action : actions) {
     auto* button = new QToolButton(this);
     button->setDefaultAction(action);

@@ -21,6 +21,7 @@ CaptureText::CaptureText(const CaptureWizard& wizard)
       batch_(wizard.batch()) {}
 
 QString CaptureText::headline() const {
+  if (rig_.isStopping()) return CaptureWizard::tr("Stopping…");
   if (!rig_.question().isEmpty()) return rig_.question();
   switch (wizard_.phase()) {
     case CapturePhase::NoRig:
@@ -51,7 +52,7 @@ QString CaptureText::instruction() const {
   switch (wizard_.phase()) {
     case CapturePhase::Place:
       return CaptureWizard::tr(
-          "Fronts up, a finger's width apart, the markers at the edge of the plate free.");
+          "Fronts up, two centimetres apart, the markers at the edge of the plate free.");
     case CapturePhase::ShootFront:
     case CapturePhase::ShootBack:
       return rig_.isBusy()
@@ -62,6 +63,9 @@ QString CaptureText::instruction() const {
                  ? CaptureWizard::tr("Nothing to do by hand: shoot the backs.")
                  : CaptureWizard::tr("Shifting is fine, swapping is fine, losing one is not.");
     case CapturePhase::Done:
+      if (wizard_.isQueued() && batch_.isComputed())
+        return CaptureWizard::tr("%1 is processed; the next batch is one key away.")
+            .arg(batch_.number());
       return wizard_.isQueued()
                  ? CaptureWizard::tr("%1 is in the queue; the next batch is one key away.")
                        .arg(batch_.number())

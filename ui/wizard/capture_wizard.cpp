@@ -413,7 +413,9 @@ void CaptureWizard::goOnWithin(batch::Side side) {
 }
 
 QString CaptureWizard::safeWords() const {
-  return tr("The %n photograph(s) of this side so far are saved.", nullptr, side_->saved());
+  return side_->saved() == 0
+             ? tr("No photograph of this side has been taken.")
+             : tr("The %n photograph(s) of this side so far are saved.", nullptr, side_->saved());
 }
 
 }  // namespace ostraka::ui

@@ -109,6 +109,7 @@ void RigConnection::whenFree(std::function<void()> act) {
 }
 
 JobHandle* RigConnection::start(Job job, Done done) {
+  stopping_ = false;
   work_ = session_->jobs().start(std::move(job), this);
   connect(work_, &JobHandle::finished, work_, &QObject::deleteLater);
   connect(work_, &JobHandle::finished, this,
@@ -128,7 +129,11 @@ JobHandle* RigConnection::work(Job job, Done done) {
 
 void RigConnection::cancel() {
   question_.answer(false);
-  if (work_ != nullptr) return work_->cancel();
+  if (work_ != nullptr) {
+    stopping_ = true;
+    emit changed();
+    return work_->cancel();
+  }
   after_preview_ = {};  // it has not begun
   if (!takeWaiting()) emit failed(Error::cancelled());
 }

@@ -35,6 +35,8 @@ class RigConnection final : public QObject {
   const std::shared_ptr<capture::RigDevices>& devices() const { return devices_; }  ///< null: none
   int cameras() const;
   bool isFor(int batch) const;  ///< its devices were opened for this batch, or serve every one
+  /// Its work was cancelled, and has not come to its end yet.
+  bool isStopping() const { return work_ != nullptr && stopping_; }
   bool isBusy() const { return work_ != nullptr || after_preview_ != nullptr; }
   const QString& question() const { return question_.sentence(); }  ///< at the rig
   const QStringList& holders() const { return holders_; }           ///< programs that hold a camera
@@ -81,6 +83,7 @@ class RigConnection final : public QObject {
   std::function<void()> after_preview_;
   Question question_;
   QStringList holders_;
+  bool stopping_ = false;  ///< work_ was cancelled
 };
 
 }  // namespace ostraka::ui

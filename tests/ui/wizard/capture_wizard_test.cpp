@@ -205,9 +205,11 @@ class CaptureWizardTest : public QObject {
     bench.wizard.next();
     QVERIFY(bench.wizard.rig()->isBusy());
     bench.wizard.stop();
+    QCOMPARE(bench.text.headline(), QStringLiteral("Stopping…"));
     QCOMPARE(bench.rig.stopped.load(), 1);
     QTRY_VERIFY(bench.wizard.fault().has_value());
     QCOMPARE(bench.wizard.fault()->code, ErrorCode::Cancelled);
+    QVERIFY(bench.text.headline() != QStringLiteral("Stopping…"));
     bench.rig.wait_for_stop = false;
     bench.goOn(CapturePhase::Flip);
   }

@@ -310,7 +310,8 @@ Result<Reconstruction> reconstruct(std::span<const View> views, const ReadPhotog
   if (!hull) return hull.error();
   const std::vector<Tile> tiles = tilesOf(*hull, coarse, 1 << (kLevels - 1), wholes,
                                           options.memory_mb * 1e6 / kBytesAPixel);
-  tell("visual hull carved, " + std::to_string(tiles.size()) + " parts,");
+  tell("visual hull carved, in " + std::to_string(tiles.size()) +
+       (tiles.size() == 1 ? " part," : " parts,"));
   std::vector<SurfacePoint> points;
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     PartProgress part(progress, t, tiles.size());

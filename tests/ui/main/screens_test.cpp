@@ -1,7 +1,7 @@
 // Every screen of the window: reached by keys, each control with a name, in all themes and text
 // sizes. With OSTRAKA_SCREENSHOTS set to a folder a picture of each is written there: of a fresh
 // project, or of the one that OSTRAKA_PROJECT names, with computed batches and the virtual rig. So
-// the pictures of the manual and of resources/docs are made.
+// tests/bench/manual_pictures.sh makes the pictures of the manual and of the README.
 #include <QAbstractSlider>
 #include <QAction>
 #include <QComboBox>
@@ -344,7 +344,7 @@ class ScreensTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(window_->wizard()->phase(), CapturePhase::Place, 60000);
     QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->pictures()->live().has_value(), 60000);
     if (given.isEmpty()) addBatches();
-    for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight}) {
+    for (const Theme theme : themes()) {
       look(theme);
       picture(theme, "start", [this] { window_->closeProject(); });
       openVirtual();
@@ -410,6 +410,13 @@ class ScreensTest : public QObject {
     window_->session()->tellBatchChanged({});
   }
 
+  // OSTRAKA_SCREENSHOTS_THEME=light makes those of one theme.
+  static QVector<Theme> themes() {
+    const QString one = qEnvironmentVariable("OSTRAKA_SCREENSHOTS_THEME");
+    if (!one.isEmpty()) return {themeFromName(one)};
+    return {Theme::Light, Theme::Dark, Theme::Sunlight};
+  }
+
   // OSTRAKA_SCREENSHOTS_SIZE=1366x700 and OSTRAKA_SCREENSHOTS_TEXT=200 try other screens.
   static QSize pictureSize() {
     const QStringList size = qEnvironmentVariable("OSTRAKA_SCREENSHOTS_SIZE").split('x');
@@ -437,7 +444,7 @@ class ScreensTest : public QObject {
     window_->queue()->switches()->setPaused(true);
     showScreen("capture");
     const auto all = [&](const QString& screen) {
-      for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight}) {
+      for (const Theme theme : themes()) {
         look(theme);
         picture(theme, screen, [] {});
       }

@@ -51,6 +51,7 @@ class StartScreen final : public QWidget {
  private:
   QWidget* buildRecent();
   QWidget* buildNew();
+  void showNumbering();
   void follow();
   void chooseFolder();
   void choosePhotographs();

@@ -13,7 +13,7 @@ mkdir "$work/Ostraka" "$work/pictures"
 cp -r "$project" "$work/Ostraka/"
 OSTRAKA_SCREENSHOTS=$work/pictures OSTRAKA_PROJECT=$work/Ostraka/$(basename "$project") \
   OSTRAKA_SCREENSHOTS_THEME=light OSTRAKA_SCREENSHOTS_WAIT=${WAIT:-10000} \
-  OSTRAKA_SCREENSHOTS_CAPTURE=1 OSTRAKA_SCREENSHOTS_SIZE=1280x720 \
+  QTEST_FUNCTION_TIMEOUT=3600000 OSTRAKA_SCREENSHOTS_CAPTURE=1 OSTRAKA_SCREENSHOTS_SIZE=1280x720 \
   xvfb-run -a -s '-screen 0 1920x1080x24' "$test" screens_test picturesOfAllScreens
 for picture in "$docs"/*-light.png; do
   cp "$work/pictures/$(basename "$picture")" "$picture"

@@ -185,6 +185,7 @@ QWidget* CatalogueScreen::buildRight() {
   drawing_ = new DrawingPage(this);
   QSplitter* one = filled(new QSplitter(Qt::Vertical, this), {{model_pane_, 3}, {details_, 4}});
   one->setChildrenCollapsible(false);
+  one->setSizes({300, 400});
   one_ = one;
   edit_ = new QStackedWidget(this);
   edit_->addWidget(one_);

@@ -89,7 +89,7 @@ class OstrakaStyle final : public QProxyStyle {
       case PE_Frame:
         return edgeOf(*painter, *option, 0);
       case PE_FrameGroupBox:
-        return edgeOf(*painter, *option, Look::kCorner);
+        return edgeBelowTitle(*painter, *option, widget);
       case PE_FrameFocusRect:
         return outline(*painter, option->rect, colours.color(QPalette::Highlight), Look::kFocus,
                        Look::kCorner / 2.0);
@@ -162,6 +162,16 @@ class OstrakaStyle final : public QProxyStyle {
   static void edgeOf(QPainter& painter, const QStyleOption& option, double corner) {
     const Colours& c = coloursOf(option.palette);
     outline(painter, option.rect, c.border, c.border_width, corner);
+  }
+
+  // Where Fusion has it, so that its margins fit.
+  void edgeBelowTitle(QPainter& painter, const QStyleOption& option, const QWidget* widget) const {
+    constexpr int kAboveFrame = 3;
+    const int title = std::max(pixelMetric(PM_ExclusiveIndicatorHeight, &option, widget),
+                               option.fontMetrics.height());
+    QStyleOption below(option);
+    below.rect.adjust(0, title + kAboveFrame, 0, 0);
+    edgeOf(painter, below, Look::kCorner);
   }
 
   static void frame(QPainter& painter, const QRect& where, const QStyleOption& option,

@@ -433,8 +433,11 @@ class ScreensTest : public QObject {
       named<QTabWidget>(*window_, "right")->setCurrentIndex(0);
       named<QTableView>(*window_, "sherds")->selectRow(0);
     }
-    if (icon_name == QLatin1String("export"))
-      named<QLineEdit>(*window_, "target")->setText("/media/stick/season-3");
+    if (icon_name == QLatin1String("export")) {
+      auto* target = named<QLineEdit>(*window_, "target");
+      target->setText("/media/stick/season-3");
+      emit target->textEdited(target->text());  // typed: no proposal takes its place
+    }
   }
 
   // Each step of the wizard in all themes.

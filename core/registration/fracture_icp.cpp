@@ -86,8 +86,8 @@ std::vector<int> partnersOf(const StripLevel& from, const StripLevel& to,
   std::vector<int> partners(from.points.size(), -1);
   for (std::size_t i = 0; i < from.points.size(); ++i) {
     const Neighbour found = to.tree.nearest(turn * from.points[i] + shift, radius);
-    if (found.index >= 0 && (turn * from.normals[i]).dot(to.normals[found.index]) >
-                                static_cast<float>(pairing.min_cos))
+    if (found.index >= 0 &&
+        (turn * from.normals[i]).dot(to.normals[found.index]) > static_cast<float>(pairing.min_cos))
       partners[i] = found.index;
   }
   return partners;

@@ -32,15 +32,16 @@ struct PairView {
   Picture front, back;                                       ///< empty where the photograph is gone
   std::vector<Eigen::Vector2d> front_outline, back_outline;  ///< closed
   std::vector<double> front_turns, back_turns;  ///< accumulated turning angles, rad, 200 or none
-  registration::FractureGaps fracture;  ///< empty where a scan has no usable fracture
+  registration::FractureGaps fracture;          ///< empty where a scan has no usable fracture
 };
 
 /// A scan for the 3D view: thinned, with colours, its fracture marked.
 struct ScanCloud {
   PointCloud cloud;  ///< its own plate frame; backs brought to the fronts' size
   std::vector<std::uint8_t> fracture;
-  std::vector<int> strip_point;  ///< its point of registration::Strip::fine, of which PairView tells
-                                 ///< the gap; -1: nothing of what the other side can have seen
+  /// Its point of registration::Strip::fine, whose gap PairView tells; -1: it is nothing of what
+  /// the other side can have seen.
+  std::vector<int> strip_point;
 };
 
 /// One batch opened for work on its pairs by hand. Scans are read when they are first asked for and

@@ -308,8 +308,8 @@ Result<Reconstruction> reconstruct(std::span<const View> views, const ReadPhotog
   if (stop.stop_requested()) return Error::cancelled();
   const Result<Hull> hull = carveHull(coarse, options, options.threads);
   if (!hull) return hull.error();
-  const std::vector<Tile> tiles = tilesOf(*hull, coarse, 1 << (kLevels - 1), wholes,
-                                          options.memory_mb * 1e6 / kBytesAPixel);
+  const std::vector<Tile> tiles =
+      tilesOf(*hull, coarse, 1 << (kLevels - 1), wholes, options.memory_mb * 1e6 / kBytesAPixel);
   tell("visual hull carved, in " + std::to_string(tiles.size()) +
        (tiles.size() == 1 ? " part," : " parts,"));
   std::vector<SurfacePoint> points;

@@ -423,7 +423,7 @@ void CatalogueScreen::showCount() {
   if (rows == 0) none_->follow(session_);
   left_->setCurrentIndex(rows > 0 ? 0 : model_->filter().conditions.empty() ? 1 : 2);
   right_->setVisible(left_->currentIndex() != 1);  // of no sherd there is nothing to fill in
-  export_->setEnabled(rows > 0);  // the one thing to do is another then
+  export_->setEnabled(rows > 0);                   // the one thing to do is another then
 }
 
 std::vector<store::SherdRow> CatalogueScreen::selected() const {

@@ -83,8 +83,8 @@ Compared comparedMeasure(const std::array<records::SherdRecord, 2>& sherds,
   }
   if (found[0] != nullptr && found[1] != nullptr) {
     row.agreement = compareMeasurements(*found[0], *found[1]);
-    row.difference = differenceWords(row.agreement, found[1]->value - found[0]->value,
-                                     found[0]->unit);
+    row.difference =
+        differenceWords(row.agreement, found[1]->value - found[0]->value, found[0]->unit);
   } else if (found[0] != nullptr || found[1] != nullptr) {
     row.agreement = Agreement::OneBlank;
     row.difference = agreementWords(row.agreement);

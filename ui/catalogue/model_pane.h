@@ -22,9 +22,6 @@ class SherdView;
 class ModelPane final : public QWidget {
   Q_OBJECT
 
- public slots:
-  void setLarge(bool large);
-
  public:
   explicit ModelPane(QWidget* parent = nullptr);
 
@@ -37,8 +34,11 @@ class ModelPane final : public QWidget {
   /// A sentence; empty: the model is shown, or on its way.
   const QString& whyNoModel() const { return why_no_model_; }
   bool isLarge() const;  ///< a person wants nothing beside the model
-  void hideActs();  ///< the page around has them, for more than this one
+  void hideActs();       ///< the page around has them, for more than this one
   QSize sizeHint() const override;
+
+ public slots:
+  void setLarge(bool large);
 
  signals:
   void settled();  ///< the model is shown, or whyNoModel() says why not

@@ -40,8 +40,8 @@ QPalette filled(const Colours& c) {
   made.setColor(QPalette::Base, c.surface);
   made.setColor(QPalette::AlternateBase, c.page);
   made.setColor(QPalette::Button, c.raised);
-  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
-                                         QPalette::ToolTipText})
+  for (const QPalette::ColorRole role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
     made.setColor(role, c.text);
   made.setColor(kSecondaryText, c.secondary);
   made.setColor(QPalette::ToolTipBase, c.raised);

@@ -20,11 +20,11 @@ struct RecentProject {
 /// What the program remembers about a person and a computer, not about a project.
 struct WindowSettings {
   Theme theme = Theme::System;
-  int text_percent = 100;         ///< 90..200
-  QString language;               ///< "de"; empty: as the desktop
-  QString initials;               ///< who decides and edits: goes into the history of each change
-  int threads = 0;                ///< that a computation may use; 0: all
-  QStringList recent;                     ///< folders of projects, the last one first
+  int text_percent = 100;  ///< 90..200
+  QString language;        ///< "de"; empty: as the desktop
+  QString initials;        ///< who decides and edits: goes into the history of each change
+  int threads = 0;         ///< that a computation may use; 0: all
+  QStringList recent;      ///< folders of projects, the last one first
   QMap<QString, RecentProject> projects;  ///< of those, by folder
   QByteArray geometry;                    ///< of the window
 

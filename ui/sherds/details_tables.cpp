@@ -135,7 +135,8 @@ void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
                                               : methodLabel(m.method));
       if (computed == sherd.replaced.end()) continue;
       item->setIcon(0, icon("measure"));
-      add({}, measureText(computed->second, m.unit), tr("computed; replaced by the measured value"));
+      add({}, measureText(computed->second, m.unit),
+          tr("computed; replaced by the measured value"));
     }
   fitHeight(measures_);
 }

@@ -107,10 +107,10 @@ void SherdView::setDistances(const ShownDistances& distances) {
   if (canvas_ == nullptr) return;
   canvas_->scene().setDistances(distances.front_mm, distances.back_mm,
                                 DistanceScale(distances.reach_mm));
-  overlay_->setLegend(
-      distances.front_mm.empty() && distances.back_mm.empty() ? ViewOverlay::Legend::Sides
-                                                              : ViewOverlay::Legend::Distances,
-      distances.reach_mm);
+  overlay_->setLegend(distances.front_mm.empty() && distances.back_mm.empty()
+                          ? ViewOverlay::Legend::Sides
+                          : ViewOverlay::Legend::Distances,
+                      distances.reach_mm);
   canvas_->redraw();
 }
 

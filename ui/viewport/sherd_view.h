@@ -14,7 +14,7 @@ class ViewOverlay;
 /// How far the two sides lie apart along the fracture: core's figures, for ShownScan::strip_point.
 struct ShownDistances {
   std::vector<float> front_mm, back_mm;  ///< positive: the back lies outside the front
-  double reach_mm = 0.5;                ///< the ends of the colour scale
+  double reach_mm = 0.5;                 ///< the ends of the colour scale
 };
 
 /// The sherd in three dimensions: two scans at a pose, or a closed model. Shows only: all figures

@@ -132,9 +132,9 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
   QColor ground = StateColours::matte();
   ground.setAlphaF(kPanelOpacity);
   painter.setBrush(ground);
-  painter.drawRoundedRect(QRectF(at, QSizeF(wide, high)).adjusted(-edge / 2, -edge / 2, edge / 2,
-                                                                  edge / 2),
-                          edge / 2, edge / 2);
+  painter.drawRoundedRect(
+      QRectF(at, QSizeF(wide, high)).adjusted(-edge / 2, -edge / 2, edge / 2, edge / 2), edge / 2,
+      edge / 2);
   if (scale) {
     painter.setPen(StateColours::inkOnMatte());
     painter.drawText(QRectF(at, QSizeF(wide, line)), Qt::AlignLeft, title);

@@ -120,7 +120,7 @@ class CatalogueScreenTest : public CatalogueWindow {
         for (int i = 0; i < tree->topLevelItemCount(); ++i) told << tree->topLevelItem(i)->text(2);
     const QStringList lengths = told.filter(QLatin1String("length, mm: "));
     QCOMPARE(lengths.size(), 1);
-    QCOMPARE(lengths.front(), QString("length, mm: 40"));
+    QCOMPARE(lengths.front(), QString("length, mm: 40.0"));
   }
 
   void withoutAMouseTheArrowsChooseWhatGetsANumber() {

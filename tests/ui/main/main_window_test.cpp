@@ -81,8 +81,7 @@ class MainWindowTest : public QObject {
     for (const auto state : {records::BatchState::Queued, records::BatchState::Done}) {
       records::BatchRecord batch;
       batch.state = state;
-      const auto added =
-          catalogue::Batches(window.session()->project().catalogue()).add(batch, {});
+      const auto added = catalogue::Batches(window.session()->project().catalogue()).add(batch, {});
       QVERIFY(added.has_value());
     }
     window.session()->tellBatchChanged({});

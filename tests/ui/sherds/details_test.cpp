@@ -70,7 +70,7 @@ class DetailsTest : public CatalogueWindow {
     };
     auto* date = child<QLineEdit>("field_date_edtf");
     const QString before = date->text();
-    QVERIFY(date->placeholderText().contains("-0599/-0549~"));
+    QVERIFY(date->placeholderText().contains("-0599/-0549: 600 to 550 BC"));
     type("field_date_edtf", "MB II");
     QVERIFY(child<QLabel>("refusalText")->text().contains("belong in the field for the period"));
     type("field_date_edtf", "27-30 AD");

@@ -1147,14 +1147,6 @@
       <translation>Nur %1 der Brüche berühren sich.</translation>
     </message>
     <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n Scherbe verlässt ihren Beutel, der im alten Befund bleibt (Beutel: %1).</numerusform>
-        <numerusform>%n Scherben verlassen ihre Beutel, die im alten Befund bleiben (Beutel: %1).</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -1168,6 +1160,22 @@
       <translation>
         <numerusform>%n Scherbe behält eine Nummer des alten Befunds: %1.</numerusform>
         <numerusform>%n Scherben behalten eine Nummer des alten Befunds: %1.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, because there is no bag %1 yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe verlässt ihren Beutel, denn es gibt noch keinen Beutel %1.</numerusform>
+        <numerusform>%n Scherben verlassen ihre Beutel, denn es gibt noch keinen Beutel %1.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Scherbe verlässt ihren Beutel.</numerusform>
+        <numerusform>%n Scherben verlassen ihre Beutel.</numerusform>
       </translation>
     </message>
 </context>
@@ -1549,6 +1557,11 @@
       <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Einen Wert eingeben, um zu sehen, was sich ändern würde, oder im leeren Feld Enter drücken, um zu löschen.</translation>
+    </message>
+    <message>
+      <source>Make these bags</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Beutel anlegen</translation>
     </message>
 </context>
 <context>
@@ -2340,6 +2353,16 @@
       <source>Only sherds with a number get a label: assign the numbers first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur Scherben mit Nummer bekommen ein Etikett: zuerst die Nummern vergeben.</translation>
+    </message>
+    <message>
+      <source>Rename places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Orte umbenennen</translation>
+    </message>
+    <message>
+      <source>Move without bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ohne Beutel verlegen</translation>
     </message>
 </context>
 <context>
@@ -10731,6 +10754,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Eintrag dieser Datei hat nicht die Form {&quot;id&quot;: &quot; …&quot;, &quot;take&quot;: &quot;a&quot;} (oder &quot;b&quot; oder &quot;one&quot;, oder &quot;number&quot; mit einer neuen Nummer): %1; nichts wurde zusammengeführt. Den Eintrag berichtigen.</translation>
     </message>
+    <message>
+      <source>The name of a place must not be empty; nothing was renamed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Name eines Ortes darf nicht leer sein; nichts wurde umbenannt.</translation>
+    </message>
+    <message>
+      <source>Another place has the name %1 by now; nothing was undone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderer Ort heißt inzwischen %1; nichts wurde rückgängig gemacht.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11597,6 +11630,134 @@
         <source>%1 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlacesDialog</name>
+    <message>
+      <source>Rename places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Orte umbenennen</translation>
+    </message>
+    <message>
+      <source>Choose the place that was typed wrongly and enter its right name. If that place exists already, both become one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wählen Sie den Ort, der falsch eingegeben wurde, und geben Sie seinen richtigen Namen ein. Gibt es diesen Ort schon, werden beide einer.</translation>
+    </message>
+    <message>
+      <source>Places of the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Orte des Projekts</translation>
+    </message>
+    <message>
+      <source>Place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ort</translation>
+    </message>
+    <message>
+      <source>Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben</translation>
+    </message>
+    <message>
+      <source>Right name of the place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Richtiger Name des Ortes</translation>
+    </message>
+    <message>
+      <source>Rename</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Umbenennen</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Schließen</translation>
+    </message>
+    <message>
+      <source>Right &amp;name:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Richtiger &amp;Name:</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n context(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>ein Befund</numerusform>
+        <numerusform>%n Befunde</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n bag(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>ein Beutel</numerusform>
+        <numerusform>%n Beutel</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>ein Durchgang</numerusform>
+        <numerusform>%n Durchgänge</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>eine Scherbe</numerusform>
+        <numerusform>%n Scherben</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nichts</translation>
+    </message>
+    <message>
+      <source>%1 exists already. Join with it? What is in %2 comes to %1: %3. %1 keeps its own description, and %2 is not listed any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 gibt es schon. Damit vereinen? Was in %2 ist, kommt zu %1: %3. %1 behält seine eigene Beschreibung, und %2 wird nicht mehr aufgeführt.</translation>
+    </message>
+    <message>
+      <source>In this place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In diesem Ort: %1.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep the number that is written on them; new numbers go on behind these.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Eine Scherbe behält die Nummer, die auf ihr steht; neue Nummern folgen dahinter.</numerusform>
+        <numerusform>%n Scherben behalten die Nummern, die auf ihnen stehen; neue Nummern folgen dahinter.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Join places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Orte vereinen</translation>
+    </message>
+    <message>
+      <source>join %1 with %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 mit %2 vereinen</translation>
+    </message>
+    <message>
+      <source>rename %1 to %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 in %2 umbenennen</translation>
+    </message>
+    <message>
+      <source>Joined: %1 is %2 now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vereint: %1 ist jetzt %2.</translation>
+    </message>
+    <message>
+      <source>Renamed: %1 is %2 now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Umbenannt: %1 ist jetzt %2.</translation>
     </message>
 </context>
 </TS>

@@ -1147,14 +1147,6 @@
       <translation>Ακουμπά μόνο το %1 των θραύσεων.</translation>
     </message>
     <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n όστρακο αφήνει τη σακούλα του, που μένει στο παλιό πλαίσιο (σακούλες: %1).</numerusform>
-        <numerusform>%n όστρακα αφήνουν τις σακούλες τους, που μένουν στο παλιό πλαίσιο (σακούλες: %1).</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -1168,6 +1160,22 @@
       <translation>
         <numerusform>%n όστρακο κρατά αριθμό του παλιού πλαισίου: %1.</numerusform>
         <numerusform>%n όστρακα κρατούν αριθμό του παλιού πλαισίου: %1.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, because there is no bag %1 yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο αφήνει τη σακούλα του, γιατί δεν υπάρχει ακόμη σακούλα %1.</numerusform>
+        <numerusform>%n όστρακα αφήνουν τις σακούλες τους, γιατί δεν υπάρχει ακόμη σακούλα %1.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο αφήνει τη σακούλα του.</numerusform>
+        <numerusform>%n όστρακα αφήνουν τις σακούλες τους.</numerusform>
       </translation>
     </message>
 </context>
@@ -1549,6 +1557,11 @@
       <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πληκτρολογήστε μια τιμή για να δείτε τι θα άλλαζε ή πατήστε Enter στο κενό πεδίο για διαγραφή.</translation>
+    </message>
+    <message>
+      <source>Make these bags</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δημιουργία σακουλών</translation>
     </message>
 </context>
 <context>
@@ -2340,6 +2353,16 @@
       <source>Only sherds with a number get a label: assign the numbers first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ετικέτα παίρνουν μόνο όστρακα με αριθμό: δώστε πρώτα τους αριθμούς.</translation>
+    </message>
+    <message>
+      <source>Rename places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετονομασία τόπων</translation>
+    </message>
+    <message>
+      <source>Move without bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετακίνηση χωρίς σακούλα</translation>
     </message>
 </context>
 <context>
@@ -10731,6 +10754,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια εγγραφή του αρχείου δεν έχει τη μορφή {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (ή &quot;b&quot; ή &quot;one&quot;, ή &quot;number&quot; με νέο αριθμό): %1· δεν συγχωνεύτηκε τίποτα. Διορθώστε την εγγραφή.</translation>
     </message>
+    <message>
+      <source>The name of a place must not be empty; nothing was renamed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όνομα ενός τόπου δεν μπορεί να είναι κενό· τίποτα δεν μετονομάστηκε.</translation>
+    </message>
+    <message>
+      <source>Another place has the name %1 by now; nothing was undone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άλλος τόπος έχει πλέον το όνομα %1· τίποτα δεν αναιρέθηκε.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11597,6 +11630,134 @@
         <source>%1 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlacesDialog</name>
+    <message>
+      <source>Rename places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετονομασία τόπων</translation>
+    </message>
+    <message>
+      <source>Choose the place that was typed wrongly and enter its right name. If that place exists already, both become one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλέξτε τον τόπο που γράφτηκε λάθος και δώστε το σωστό όνομά του. Αν ο τόπος αυτός υπάρχει ήδη, οι δύο γίνονται ένας.</translation>
+    </message>
+    <message>
+      <source>Places of the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τόποι του έργου</translation>
+    </message>
+    <message>
+      <source>Place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τόπος</translation>
+    </message>
+    <message>
+      <source>Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα</translation>
+    </message>
+    <message>
+      <source>Right name of the place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σωστό όνομα του τόπου</translation>
+    </message>
+    <message>
+      <source>Rename</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετονομασία</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλείσιμο</translation>
+    </message>
+    <message>
+      <source>Right &amp;name:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σωστό ό&amp;νομα:</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n context(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n πλαίσιο</numerusform>
+        <numerusform>%n πλαίσια</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n bag(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n σακούλα</numerusform>
+        <numerusform>%n σακούλες</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n παρτίδα</numerusform>
+        <numerusform>%n παρτίδες</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο</numerusform>
+        <numerusform>%n όστρακα</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τίποτα</translation>
+    </message>
+    <message>
+      <source>%1 exists already. Join with it? What is in %2 comes to %1: %3. %1 keeps its own description, and %2 is not listed any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 υπάρχει ήδη. Συνένωση με αυτό; Ό,τι βρίσκεται στο %2 περνά στο %1: %3. Το %1 κρατά τη δική του περιγραφή και το %2 δεν εμφανίζεται πια.</translation>
+    </message>
+    <message>
+      <source>In this place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σε αυτόν τον τόπο: %1.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep the number that is written on them; new numbers go on behind these.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n όστρακο κρατά τον αριθμό που είναι γραμμένος πάνω του· οι νέοι αριθμοί συνεχίζουν μετά.</numerusform>
+        <numerusform>%n όστρακα κρατούν τους αριθμούς που είναι γραμμένοι πάνω τους· οι νέοι αριθμοί συνεχίζουν μετά.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Join places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Συνένωση τόπων</translation>
+    </message>
+    <message>
+      <source>join %1 with %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>συνένωση του %1 με το %2</translation>
+    </message>
+    <message>
+      <source>rename %1 to %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μετονομασία του %1 σε %2</translation>
+    </message>
+    <message>
+      <source>Joined: %1 is %2 now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Συνενώθηκαν: το %1 είναι τώρα %2.</translation>
+    </message>
+    <message>
+      <source>Renamed: %1 is %2 now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετονομάστηκε: το %1 είναι τώρα %2.</translation>
     </message>
 </context>
 </TS>

@@ -370,13 +370,6 @@
       </translation>
     </message>
     <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
-      <translation>
-        <numerusform>%n sherd leaves its bag, which stays in the old context (bag: %1).</numerusform>
-        <numerusform>%n sherds leave their bags, which stay in the old context (bags: %1).</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s)</source>
       <translation>
         <numerusform>%n sherd</numerusform>
@@ -388,6 +381,20 @@
       <translation>
         <numerusform>%n sherd keeps a number of the old context: %1.</numerusform>
         <numerusform>%n sherds keep a number of the old context: %1.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, because there is no bag %1 yet.</source>
+      <translation>
+        <numerusform>%n sherd leaves its bag, because there is no bag %1 yet.</numerusform>
+        <numerusform>%n sherds leave their bag, because there is no bag %1 yet.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag.</source>
+      <translation>
+        <numerusform>%n sherd leaves its bag.</numerusform>
+        <numerusform>%n sherds leave their bag.</numerusform>
       </translation>
     </message>
 </context>
@@ -478,6 +485,44 @@
       <translation>
         <numerusform>%1; %n batch unfinished</numerusform>
         <numerusform>%1; %n batches unfinished</numerusform>
+      </translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlacesDialog</name>
+    <message numerus="yes">
+      <source>%n context(s)</source>
+      <translation>
+        <numerusform>%n context</numerusform>
+        <numerusform>%n contexts</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n bag(s)</source>
+      <translation>
+        <numerusform>%n bag</numerusform>
+        <numerusform>%n bags</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es)</source>
+      <translation>
+        <numerusform>%n batch</numerusform>
+        <numerusform>%n batches</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translation>
+        <numerusform>%n sherd</numerusform>
+        <numerusform>%n sherds</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep the number that is written on them; new numbers go on behind these.</source>
+      <translation>
+        <numerusform>%n sherd keeps the number that is written on it; new numbers go on behind it.</numerusform>
+        <numerusform>%n sherds keep the numbers that are written on them; new numbers go on behind these.</numerusform>
       </translation>
     </message>
 </context>

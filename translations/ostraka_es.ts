@@ -1147,14 +1147,6 @@
       <translation>Solo el %1 de las fracturas se toca.</translation>
     </message>
     <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n fragmento deja su bolsa, que se queda en el contexto antiguo (bolsas: %1).</numerusform>
-        <numerusform>%n fragmentos dejan sus bolsas, que se quedan en el contexto antiguo (bolsas: %1).</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -1168,6 +1160,22 @@
       <translation>
         <numerusform>%n fragmento conserva un número del contexto antiguo: %1.</numerusform>
         <numerusform>%n fragmentos conservan un número del contexto antiguo: %1.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, because there is no bag %1 yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento deja su bolsa, porque aún no hay bolsa %1.</numerusform>
+        <numerusform>%n fragmentos dejan sus bolsas, porque aún no hay bolsa %1.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento deja su bolsa.</numerusform>
+        <numerusform>%n fragmentos dejan sus bolsas.</numerusform>
       </translation>
     </message>
 </context>
@@ -1549,6 +1557,11 @@
       <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escriba un valor para ver qué cambiaría, o pulse Intro en el campo vacío para borrar.</translation>
+    </message>
+    <message>
+      <source>Make these bags</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Crear estas bolsas</translation>
     </message>
 </context>
 <context>
@@ -2340,6 +2353,16 @@
       <source>Only sherds with a number get a label: assign the numbers first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo los fragmentos con número reciben etiqueta: asigne antes los números.</translation>
+    </message>
+    <message>
+      <source>Rename places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Renombrar lugares</translation>
+    </message>
+    <message>
+      <source>Move without bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mover sin bolsa</translation>
     </message>
 </context>
 <context>
@@ -10731,6 +10754,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una entrada de este archivo no tiene la forma {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (o &quot;b&quot; o &quot;one&quot;, o &quot;number&quot; con un número nuevo): %1; no se unió nada. Corrija la entrada.</translation>
     </message>
+    <message>
+      <source>The name of a place must not be empty; nothing was renamed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El nombre de un lugar no puede estar vacío; no se ha renombrado nada.</translation>
+    </message>
+    <message>
+      <source>Another place has the name %1 by now; nothing was undone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro lugar se llama ya %1; no se ha deshecho nada.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11597,6 +11630,134 @@
         <source>%1 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlacesDialog</name>
+    <message>
+      <source>Rename places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Renombrar lugares</translation>
+    </message>
+    <message>
+      <source>Choose the place that was typed wrongly and enter its right name. If that place exists already, both become one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elija el lugar que se escribió mal e introduzca su nombre correcto. Si ese lugar ya existe, los dos pasan a ser uno.</translation>
+    </message>
+    <message>
+      <source>Places of the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lugares del proyecto</translation>
+    </message>
+    <message>
+      <source>Place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lugar</translation>
+    </message>
+    <message>
+      <source>Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmentos</translation>
+    </message>
+    <message>
+      <source>Right name of the place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nombre correcto del lugar</translation>
+    </message>
+    <message>
+      <source>Rename</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Renombrar</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cerrar</translation>
+    </message>
+    <message>
+      <source>Right &amp;name:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Nombre correcto:</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n context(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n contexto</numerusform>
+        <numerusform>%n contextos</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n bag(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n bolsa</numerusform>
+        <numerusform>%n bolsas</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tanda</numerusform>
+        <numerusform>%n tandas</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento</numerusform>
+        <numerusform>%n fragmentos</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nada</translation>
+    </message>
+    <message>
+      <source>%1 exists already. Join with it? What is in %2 comes to %1: %3. %1 keeps its own description, and %2 is not listed any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ya existe. ¿Unir con él? Lo que hay en %2 pasa a %1: %3. %1 conserva su propia descripción y %2 deja de aparecer en la lista.</translation>
+    </message>
+    <message>
+      <source>In this place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En este lugar: %1.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep the number that is written on them; new numbers go on behind these.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fragmento conserva el número que lleva escrito; los números nuevos siguen a continuación.</numerusform>
+        <numerusform>%n fragmentos conservan los números que llevan escritos; los números nuevos siguen a continuación.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Join places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unir lugares</translation>
+    </message>
+    <message>
+      <source>join %1 with %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unir %1 con %2</translation>
+    </message>
+    <message>
+      <source>rename %1 to %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>renombrar %1 como %2</translation>
+    </message>
+    <message>
+      <source>Joined: %1 is %2 now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unidos: %1 es ahora %2.</translation>
+    </message>
+    <message>
+      <source>Renamed: %1 is %2 now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Renombrado: %1 es ahora %2.</translation>
     </message>
 </context>
 </TS>

@@ -1147,14 +1147,6 @@
       <translation>Կոտրվածքների միայն %1-ն է հպվում։</translation>
     </message>
     <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n բեկոր թողնում է իր տոպրակը, որը մնում է հին համատեքստում (տոպրակներ՝ %1)։</numerusform>
-        <numerusform>%n բեկոր թողնում են իրենց տոպրակները, որոնք մնում են հին համատեքստում (տոպրակներ՝ %1)։</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -1168,6 +1160,22 @@
       <translation>
         <numerusform>%n բեկորը պահպանում է հին համատեքստի համարը՝ %1։</numerusform>
         <numerusform>%n բեկորները պահպանում են հին համատեքստի համարը՝ %1։</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, because there is no bag %1 yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր թողնում է իր տոպրակը, քանի որ դեռ չկա տոպրակ %1։</numerusform>
+        <numerusform>%n բեկոր թողնում են իրենց տոպրակները, քանի որ դեռ չկա տոպրակ %1։</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր թողնում է իր տոպրակը։</numerusform>
+        <numerusform>%n բեկոր թողնում են իրենց տոպրակները։</numerusform>
       </translation>
     </message>
 </context>
@@ -1549,6 +1557,11 @@
       <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մուտքագրեք արժեք՝ տեսնելու, թե ինչ կփոխվի, կամ դատարկ դաշտում սեղմեք Enter՝ ջնջելու համար։</translation>
+    </message>
+    <message>
+      <source>Make these bags</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստեղծել տոպրակները</translation>
     </message>
 </context>
 <context>
@@ -2340,6 +2353,16 @@
       <source>Only sherds with a number get a label: assign the numbers first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտակ են ստանում միայն համար ունեցող բեկորները. նախ տվեք համարները։</translation>
+    </message>
+    <message>
+      <source>Rename places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վերանվանել տեղերը</translation>
+    </message>
+    <message>
+      <source>Move without bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեղափոխել առանց տոպրակի</translation>
     </message>
 </context>
 <context>
@@ -10731,6 +10754,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս ֆայլի գրառումներից մեկը {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} ձևը չունի (կամ &quot;b&quot; կամ &quot;one&quot;, կամ &quot;number&quot;՝ նոր համարով)՝ %1. ոչինչ չի միավորվել։ Ուղղեք գրառումը։</translation>
     </message>
+    <message>
+      <source>The name of a place must not be empty; nothing was renamed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեղի անունը չի կարող դատարկ լինել. ոչինչ չի վերանվանվել։</translation>
+    </message>
+    <message>
+      <source>Another place has the name %1 by now; nothing was undone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այժմ մեկ այլ տեղ ունի %1 անունը. ոչինչ չի հետարկվել։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11597,6 +11630,134 @@
         <source>%1 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlacesDialog</name>
+    <message>
+      <source>Rename places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վերանվանել տեղերը</translation>
+    </message>
+    <message>
+      <source>Choose the place that was typed wrongly and enter its right name. If that place exists already, both become one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրեք սխալ գրված տեղը և մուտքագրեք դրա ճիշտ անունը։ Եթե այդ տեղն արդեն կա, երկուսը դառնում են մեկը։</translation>
+    </message>
+    <message>
+      <source>Places of the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագծի տեղերը</translation>
+    </message>
+    <message>
+      <source>Place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեղ</translation>
+    </message>
+    <message>
+      <source>Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորներ</translation>
+    </message>
+    <message>
+      <source>Right name of the place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեղի ճիշտ անունը</translation>
+    </message>
+    <message>
+      <source>Rename</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վերանվանել</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փակել</translation>
+    </message>
+    <message>
+      <source>Right &amp;name:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ճիշտ &amp;անուն՝</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n context(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n համատեքստ</numerusform>
+        <numerusform>%n համատեքստ</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n bag(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n տոպրակ</numerusform>
+        <numerusform>%n տոպրակ</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n խմբաքանակ</numerusform>
+        <numerusform>%n խմբաքանակ</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր</numerusform>
+        <numerusform>%n բեկոր</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ոչինչ</translation>
+    </message>
+    <message>
+      <source>%1 exists already. Join with it? What is in %2 comes to %1: %3. %1 keeps its own description, and %2 is not listed any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն արդեն կա։ Միացնե՞լ դրա հետ։ Ինչ կա %2-ում, անցնում է %1-ին՝ %3։ %1-ը պահում է իր նկարագրությունը, իսկ %2-ն այլևս ցանկում չէ։</translation>
+    </message>
+    <message>
+      <source>In this place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տեղում՝ %1։</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep the number that is written on them; new numbers go on behind these.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n բեկոր պահում է իր վրա գրված համարը. նոր համարները շարունակվում են դրանից հետո։</numerusform>
+        <numerusform>%n բեկոր պահում են իրենց վրա գրված համարները. նոր համարները շարունակվում են դրանցից հետո։</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Join places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միացնել տեղերը</translation>
+    </message>
+    <message>
+      <source>join %1 with %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի միացում %2-ի հետ</translation>
+    </message>
+    <message>
+      <source>rename %1 to %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի վերանվանում՝ %2</translation>
+    </message>
+    <message>
+      <source>Joined: %1 is %2 now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միացված է. %1-ն այժմ %2 է։</translation>
+    </message>
+    <message>
+      <source>Renamed: %1 is %2 now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վերանվանված է. %1-ն այժմ %2 է։</translation>
     </message>
 </context>
 </TS>

@@ -1144,13 +1144,6 @@
       <translation>Kırıkların yalnızca %1 kadarı birbirine değiyor.</translation>
     </message>
     <message numerus="yes">
-      <source>%n sherd(s) leave their bag, which stays in the old context (bags: %1).</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n parça, eski kontekstte kalan torbasından ayrılıyor (torbalar: %1).</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -1162,6 +1155,20 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
         <numerusform>%n parça eski kontekstin numarasını koruyor: %1.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag, because there is no bag %1 yet.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça torbasından ayrılıyor, çünkü henüz şu torba yok: %1.</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) leave their bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça torbasından ayrılıyor.</numerusform>
       </translation>
     </message>
 </context>
@@ -1532,6 +1539,11 @@
       <source>Type a value to see what would change, or press Enter in the empty field to delete.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Neyin değişeceğini görmek için bir değer yazın ya da silmek için boş alanda Enter tuşuna basın.</translation>
+    </message>
+    <message>
+      <source>Make these bags</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu torbaları oluştur</translation>
     </message>
 </context>
 <context>
@@ -2315,6 +2327,16 @@
       <source>Only sherds with a number get a label: assign the numbers first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnızca numarası olan parçalar etiket alır: önce numaraları verin.</translation>
+    </message>
+    <message>
+      <source>Rename places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yerleri yeniden adlandır</translation>
+    </message>
+    <message>
+      <source>Move without bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Torbasız taşı</translation>
     </message>
 </context>
 <context>
@@ -10680,6 +10702,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dosyanın bir girdisi {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} biçiminde değil (ya da &quot;b&quot; veya &quot;one&quot;, ya da yeni bir numarayla &quot;number&quot;): %1; hiçbir şey birleştirilmedi. Girdiyi düzeltin.</translation>
     </message>
+    <message>
+      <source>The name of a place must not be empty; nothing was renamed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir yerin adı boş olamaz; hiçbir şey yeniden adlandırılmadı.</translation>
+    </message>
+    <message>
+      <source>Another place has the name %1 by now; nothing was undone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu arada başka bir yerin adı %1 oldu; hiçbir şey geri alınmadı.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11541,6 +11573,129 @@
         <source>%1 %</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlacesDialog</name>
+    <message>
+      <source>Rename places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yerleri yeniden adlandır</translation>
+    </message>
+    <message>
+      <source>Choose the place that was typed wrongly and enter its right name. If that place exists already, both become one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yanlış yazılan yeri seçin ve doğru adını girin. Bu yer zaten varsa ikisi tek yer olur.</translation>
+    </message>
+    <message>
+      <source>Places of the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projenin yerleri</translation>
+    </message>
+    <message>
+      <source>Place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yer</translation>
+    </message>
+    <message>
+      <source>Sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçalar</translation>
+    </message>
+    <message>
+      <source>Right name of the place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yerin doğru adı</translation>
+    </message>
+    <message>
+      <source>Rename</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeniden adlandır</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kapat</translation>
+    </message>
+    <message>
+      <source>Right &amp;name:</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Doğru &amp;ad:</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n context(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n kontekst</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n bag(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n torba</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n batch(es)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parti</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>nothing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hiçbir şey</translation>
+    </message>
+    <message>
+      <source>%1 exists already. Join with it? What is in %2 comes to %1: %3. %1 keeps its own description, and %2 is not listed any more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 zaten var. Onunla birleştirilsin mi? %2 içindekiler %1 içine geçer: %3. %1 kendi tanımını korur, %2 artık listelenmez.</translation>
+    </message>
+    <message>
+      <source>In this place: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu yerde: %1.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n sherd(s) keep the number that is written on them; new numbers go on behind these.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n parça üzerinde yazan numarayı korur; yeni numaralar bunların ardından gelir.</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Join places</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yerleri birleştir</translation>
+    </message>
+    <message>
+      <source>join %1 with %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ile %2 birleştirme</translation>
+    </message>
+    <message>
+      <source>rename %1 to %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 adını %2 yapma</translation>
+    </message>
+    <message>
+      <source>Joined: %1 is %2 now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Birleştirildi: %1 artık %2.</translation>
+    </message>
+    <message>
+      <source>Renamed: %1 is %2 now.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeniden adlandırıldı: %1 artık %2.</translation>
     </message>
 </context>
 </TS>

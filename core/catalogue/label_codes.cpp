@@ -31,10 +31,11 @@ bool isPlace(std::string_view text) {
 std::optional<BagPlace> placeBy(const Catalogue& catalogue, const std::string& condition,
                                 const auto& value) {
   store::Statement rows = catalogue.database().sql(
-      "SELECT site.code, trench.code, context.number, bag.number FROM bag JOIN context ON "
-      "context.row = bag.context JOIN site ON site.row = context.site LEFT JOIN trench ON "
-      "trench.row = context.trench WHERE " +
-          condition,
+      "WITH RECURSIVE named AS (SELECT * FROM bag WHERE " + condition +
+          " UNION ALL SELECT bag.* FROM named JOIN bag ON bag.row = named.one_with) SELECT "
+          "site.code, trench.code, context.number, named.number FROM named JOIN context ON "
+          "context.row = named.context JOIN site ON site.row = context.site LEFT JOIN trench ON "
+          "trench.row = context.trench WHERE named.one_with IS NULL",
       value);
   BagPlace place;
   if (!rows.read(place.site, place.trench, place.context, place.bag)) return {};
@@ -95,12 +96,12 @@ Result<store::SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode
 Result<std::optional<BagPlace>> placeOfLabel(const Catalogue& catalogue, const LabelCode& label) {
   return catalogue.database().asResult([&]() -> std::optional<BagPlace> {
     if (label.of != LabelCode::Of::Bag || label.id_end.empty()) return {};
-    return placeBy(catalogue, "substr(replace(bag.id, '-', ''), -8) = ?", label.id_end);
+    return placeBy(catalogue, "substr(replace(id, '-', ''), -8) = ?", label.id_end);
   });
 }
 
 Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, store::BagRow bag) {
-  return catalogue.database().asResult([&] { return placeBy(catalogue, "bag.row = ?", bag); });
+  return catalogue.database().asResult([&] { return placeBy(catalogue, "row = ?", bag); });
 }
 
 Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue,
@@ -119,8 +120,8 @@ Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue,
           batch.row, first);
       sherds.read(contexts, at_first, bags, without_bag, context, bag);
     }
-    if (contexts != 1 || at_first > 0) return placeBy(catalogue, "bag.row = ?", first);
-    if (bags == 1 && without_bag == 0) return placeBy(catalogue, "bag.row = ?", bag);
+    if (contexts != 1 || at_first > 0) return placeBy(catalogue, "row = ?", first);
+    if (bags == 1 && without_bag == 0) return placeBy(catalogue, "row = ?", bag);
     const auto known = store::valueOrThrow(Places(catalogue).context(context));
     return BagPlace{known.site_code, known.trench_code, known.number, {}};
   });

@@ -98,16 +98,6 @@ std::vector<records::ContextRecord> readContexts(store::Statement rows) {
                   &C::trench_code);
 }
 
-// After a place was renamed, the sherds in it are found by the new name.
-void searchAnew(store::Database& database, const char* which, std::int64_t row) {
-  const std::string update =
-      std::string("UPDATE sherd_text SET words = (SELECT ") + kSearchedWords +
-      " FROM sherd_words WHERE sherd = sherd_text.rowid) WHERE rowid IN (SELECT sherd.row FROM "
-      "sherd JOIN context ON context.row = sherd.context WHERE context." +
-      which + " = ?)";
-  database.run(update, row);
-}
-
 }  // namespace
 
 Result<std::vector<records::PersonRecord>> People::all() const {
@@ -172,7 +162,7 @@ Result<store::SiteRow> Places::save(const records::SiteRecord& s,
                                       {"longitude_deg", s.longitude_deg},
                                       {"location_public", s.location_public},
                                       {"gazetteer", s.gazetteer}});
-    if (s.row) searchAnew(*database_, "site", row.value);
+    if (s.row) searchAnewIn(*database_, "site", row.value);
     return row;
   });
 }
@@ -181,7 +171,9 @@ Result<std::vector<records::TrenchRecord>> Places::trenches() const {
   return database_->asResult([&] {
     using T = records::TrenchRecord;
     return database_
-        ->sql("SELECT row, site, id, code, name, parent FROM trench ORDER BY site, code_key")
+        ->sql(
+            "SELECT row, site, id, code, name, parent FROM trench WHERE one_with IS NULL ORDER BY "
+            "site, code_key")
         .all(&T::row, &T::site, &T::id, &T::code, &T::name, &T::parent);
   });
 }
@@ -191,7 +183,7 @@ Result<bool> Places::hasTrenches(const std::string& site) const {
     return database_
         ->sql(
             "SELECT EXISTS (SELECT 1 FROM trench JOIN site ON site.row = trench.site WHERE "
-            "site.code_key = ?)",
+            "site.code_key = ? AND one_with IS NULL)",
             store::uniqueKey(site))
         .one<bool>();
   });
@@ -204,24 +196,27 @@ Result<store::TrenchRow> Places::save(const records::TrenchRecord& t,
     if (!t.site) store::refuse(message("A trench needs a site."), code);
     if (t.parent && t.parent == t.row)
       store::refuse(message("A trench cannot contain itself."), code);
-    refuseDouble(
-        database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?", t.site, key),
-        t.row.value, message("The trench %1 already exists in this site.", code));
+    refuseDouble(database_->sql(
+                     "SELECT row FROM trench WHERE one_with IS NULL AND site = ? AND code_key = ?",
+                     t.site, key),
+                 t.row.value, message("The trench %1 already exists in this site.", code));
     const store::TrenchRow row = saved(catalogue_, provenance, "trench", t.row, t.id, code,
                                        {{"site", t.site},
                                         {"code", code},
                                         {"code_key", key, kFollows},
                                         {"name", t.name},
                                         {"parent", t.parent}});
-    if (t.row) searchAnew(*database_, "trench", row.value);
+    if (t.row) searchAnewIn(*database_, "trench", row.value);
     return row;
   });
 }
 
 Result<std::vector<records::ContextRecord>> Places::contexts() const {
   return database_->asResult([&] {
-    return readContexts(database_->sql(
-        std::string(kContexts) + " ORDER BY site.code_key, trench.code_key, context.number_key"));
+    return readContexts(
+        database_->sql(std::string(kContexts) +
+                       " WHERE context.one_with IS NULL ORDER BY site.code_key, trench.code_key, "
+                       "context.number_key"));
   });
 }
 
@@ -238,8 +233,8 @@ Result<store::ContextRow> Places::contextByPlace(const std::string& site, const 
                                                  const std::string& number) const {
   return firstOf<store::ContextRow>(
       "SELECT context.row FROM context JOIN site ON site.row = context.site LEFT JOIN trench ON "
-      "trench.row = context.trench WHERE context.number_key = ? AND site.code_key = ? AND "
-      "ifnull(trench.code_key, '') = ?",
+      "trench.row = context.trench WHERE context.one_with IS NULL AND context.number_key = ? AND "
+      "site.code_key = ? AND ifnull(trench.code_key, '') = ?",
       store::codeKey(number), store::codeKey(site), store::codeKey(trench));
 }
 
@@ -260,8 +255,10 @@ Result<store::ContextRow> Places::contextAt(const std::string& site, const std::
     }
     if (!trench.empty())
       context.trench = database_
-                           ->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?",
-                                 context.site, store::codeKey(trench))
+                           ->sql(
+                               "SELECT row FROM trench WHERE one_with IS NULL AND site = ? AND "
+                               "code_key = ?",
+                               context.site, store::codeKey(trench))
                            .one<store::TrenchRow>();
     if (!trench.empty() && !context.trench) {
       records::TrenchRecord record;
@@ -272,8 +269,8 @@ Result<store::ContextRow> Places::contextAt(const std::string& site, const std::
     }
     const auto known = database_
                            ->sql(
-                               "SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) = "
-                               "ifnull(?, 0) AND number_key = ?",
+                               "SELECT row FROM context WHERE one_with IS NULL AND site = ? AND "
+                               "ifnull(trench, 0) = ifnull(?, 0) AND number_key = ?",
                                context.site, context.trench, store::codeKey(number))
                            .one<store::ContextRow>();
     return known ? known : store::valueOrThrow(save(context, provenance));
@@ -282,8 +279,9 @@ Result<store::ContextRow> Places::contextAt(const std::string& site, const std::
 
 Result<store::BagRow> Places::bagByNumber(store::ContextRow context,
                                           const std::string& number) const {
-  return firstOf<store::BagRow>("SELECT row FROM bag WHERE context = ? AND number_key = ?", context,
-                                store::codeKey(number));
+  return firstOf<store::BagRow>(
+      "SELECT row FROM bag WHERE one_with IS NULL AND context = ? AND number_key = ?", context,
+      store::codeKey(number));
 }
 
 Result<store::BagRow> Places::bagAt(store::ContextRow context, const std::string& number,
@@ -315,8 +313,8 @@ Result<store::ContextRow> Places::save(const records::ContextRecord& c,
       if (!inside.next())
         store::refuse(message("The trench and the context belong to different sites."), number);
     }
-    refuseDouble(database_->sql("SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) "
-                                "= ifnull(?, 0) AND number_key = ?",
+    refuseDouble(database_->sql("SELECT row FROM context WHERE one_with IS NULL AND site = ? AND "
+                                "ifnull(trench, 0) = ifnull(?, 0) AND number_key = ?",
                                 c.site, c.trench, key),
                  c.row.value, message("The context %1 already exists in this place.", number));
     const store::ContextRow row = saved(catalogue_, provenance, "context", c.row, c.id, number,
@@ -331,7 +329,7 @@ Result<store::ContextRow> Places::save(const records::ContextRecord& c,
                                          {"closed", c.closed},
                                          {"note", c.note},
                                          {"extra", c.extra_json}});
-    if (c.row) searchAnew(*database_, "row", row.value);
+    if (c.row) searchAnewIn(*database_, "row", row.value);
     return row;
   });
 }
@@ -348,7 +346,8 @@ Result<std::vector<records::BagRecord>> Places::bags(store::ContextRow context) 
             "SELECT row, context, id, number, collected_on, storage, count_written, weight_g, "
             "(SELECT count(*) FROM sherd WHERE sherd.bag = bag.row AND sherd.state <> 'void'), "
             "ifnull((SELECT initials FROM person WHERE person.row = bag.created_by), '') FROM bag "
-            "WHERE ?1 IS NULL OR context = ?1 ORDER BY context, number_key",
+            "WHERE one_with IS NULL AND (?1 IS NULL OR context = ?1) ORDER BY context, "
+            "number_key",
             context)
         .all(&B::row, &B::context, &B::id, &B::number, &B::collected_on, &B::storage,
              &B::count_written, &B::weight_g, &B::sherds, &B::entered_by);
@@ -366,7 +365,9 @@ Result<store::BagRow> Places::save(const records::BagRecord& b,
     if (b.count_written && *b.count_written < 0)
       store::refuse(message("A count cannot be less than 0."), number);
     refuseDouble(
-        database_->sql("SELECT row FROM bag WHERE context = ? AND number_key = ?", b.context, key),
+        database_->sql(
+            "SELECT row FROM bag WHERE one_with IS NULL AND context = ? AND number_key = ?",
+            b.context, key),
         b.row.value, message("The bag %1 already exists in this context.", number));
     return saved(catalogue_, provenance, "bag", b.row, b.id, number,
                  {{"context", b.context},

@@ -49,4 +49,13 @@ void searchAnew(store::Database& database, store::SherdRow sherd) {
                sherd);
 }
 
+void searchAnewIn(store::Database& database, const char* column, std::int64_t row) {
+  database.run(std::string("UPDATE sherd_text SET words = (SELECT ") + kSearchedWords +
+                   " FROM sherd_words WHERE sherd = sherd_text.rowid) WHERE rowid IN (SELECT "
+                   "sherd.row FROM sherd JOIN context ON context.row = sherd.context WHERE "
+                   "context." +
+                   column + " = ?)",
+               row);
+}
+
 }  // namespace ostraka::catalogue

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <string>
 
 #include "store/database.h"
@@ -19,5 +20,8 @@ bool isShort(const std::string& word);
 bool hasWord(const std::string& text, const std::string& word);
 /// The search finds the sherd by what it says now.
 void searchAnew(store::Database& database, store::SherdRow sherd);
+/// The same of all sherds whose context has this row in that column ("row": the context itself):
+/// its place is called otherwise.
+void searchAnewIn(store::Database& database, const char* column, std::int64_t row);
 
 }  // namespace ostraka::catalogue

@@ -47,10 +47,11 @@ class Mover {
     if (!moved.context && !leaves) return;
     if (leaves) moved.site = moved.trench = {};
     const bool moves = moved.context != sherd.context;
-    if (moves && !named.contains("bag") && !sherd.bag_number.empty()) {
+    if (moves && !named.contains("bag") && !sherd.bag_number.empty() && !hasBag(moved)) {
+      if (moved.context)
+        move_.lacking.insert({moved.site, moved.trench, moved.context_number, sherd.bag_number});
       moved.bag_number.clear();
       ++move_.without_bag;
-      move_.bags.insert(sherd.bag_number);
     }
     for (const auto& [field, part] : kParts) {
       const auto change = std::find_if(
@@ -124,6 +125,12 @@ class Mover {
     moved.context_number = known->second->context;
     moved.bag_number = known->second->bag;
     return contextOf(moved) ? std::optional(moved) : std::nullopt;
+  }
+
+  bool hasBag(const records::SherdRecord& moved) {
+    if (!moved.context) return false;
+    return static_cast<bool>(store::valueOrThrow(
+        catalogue::Places(catalogue_).bagByNumber(moved.context, moved.bag_number)));
   }
 
   // With its codes as the catalogue writes them; none: there is no such context.

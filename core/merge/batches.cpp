@@ -88,12 +88,24 @@ void Merging::placeScan(const Table& table, const Row& theirs, Values& values) {
   values[table.column("name")] = value("name").value_or("") + "-earlier" + std::to_string(row);
 }
 
+// A bag that is one with another of the same batch is not there twice.
+std::vector<std::string> Merging::bagsNow(const std::vector<std::string>& bags) const {
+  std::vector<std::string> now;
+  for (const std::string& bag : bags) {
+    const std::string one = canonicalId(bag);
+    const bool own = std::ranges::any_of(
+        bags, [&](const std::string& other) { return other != bag && sameId(other) == one; });
+    if (!own && std::ranges::find(now, one) == now.end()) now.push_back(one);
+  }
+  return now;
+}
+
 void Merging::mergeBags() {
   for (const Row& batch : b_.table("batch").rows) {
     const std::string id = canonicalId(batch.id);
-    std::vector<std::string> theirs, mine = a_.bags[id];
+    std::vector<std::string> theirs, mine = bagsNow(a_.bags[id]);
     if (const auto found = b_.bags.find(batch.id); found != b_.bags.end())
-      for (const std::string& bag : found->second) theirs.push_back(canonicalId(bag));
+      theirs = bagsNow(found->second);
     if (theirs == mine) continue;
     const auto words = [&](const std::vector<std::string>& bags) {
       std::vector<std::string> rows;
@@ -228,9 +240,9 @@ void Merging::mergeProject() {
 // that they typed on its plate, and that they keep it beside one of the same photographs.
 void Merging::mergeSettings() {
   for (const auto& [key, value] : b_.settings) {
-    if (key.starts_with(kSameRow) && rows_.contains(canonicalId(value)) &&
-        key != kSameRow + canonicalId(value))
-      database_.run("INSERT OR IGNORE INTO setting VALUES (?, ?)", key, canonicalId(value));
+    if (key.starts_with(kSameRow) && rows_.contains(sameId(value)) &&
+        key != kSameRow + sameId(value))
+      database_.run("INSERT OR IGNORE INTO setting VALUES (?, ?)", key, sameId(value));
     for (const std::string of_batch : {sherds::kTypedNumbers, catalogue::kKeptTwice}) {
       if (!key.starts_with(of_batch)) continue;
       const auto batch = folder_of_.find(key.substr(of_batch.size()));

@@ -21,6 +21,15 @@ std::string keyOf(const Event& event) {
 
 }  // namespace
 
+std::string Merging::sameId(const std::string& id) const {
+  const auto found = alias_.find(id);
+  return found == alias_.end() ? id : found->second;
+}
+
+std::string Merging::canonicalId(const std::string& id) const {
+  return places_.now(sameId(id));
+}
+
 void Merging::compareHistories(const std::string& table) {
   const auto canonicalIn = [&](const Event& event) {
     Event known = event;
@@ -36,7 +45,7 @@ void Merging::compareHistories(const std::string& table) {
   };
   std::unordered_set<std::string> mine, theirs;
   for (const Event& event : a_.events)
-    if (event.table == table) mine.insert(keyOf(event));
+    if (event.table == table) mine.insert(keyOf(canonicalIn(event)));
   for (const Event& event : b_.events) {
     if (event.table != table) continue;
     Event known = canonicalIn(event);
@@ -49,7 +58,7 @@ void Merging::compareHistories(const std::string& table) {
     theirs.insert(std::move(key));
   }
   for (const Event& event : a_.events)
-    if (event.table == table && !theirs.contains(keyOf(event))) {
+    if (event.table == table && !theirs.contains(keyOf(canonicalIn(event)))) {
       touched_a_[event.row][event.field] = &event;
       since_a_[table].push_back(&event);
     }

@@ -15,7 +15,8 @@ const std::set<std::string> kPlaces = {"person", "site", "trench", "context", "b
 
 std::string naturalKey(const Table& table, const std::vector<Value>& values) {
   std::string key;
-  if (table.unique.empty()) return key;
+  const std::size_t one_with = table.column("one_with");
+  if (table.unique.empty() || (one_with < values.size() && values[one_with])) return key;
   for (const std::string& name : table.unique) {
     const Value& value = values[table.column(name)];
     if (table.name == "sherd" && !value) return {};
@@ -67,7 +68,8 @@ Merging::Merging(Projects projects, const Settled& settled, const records::Prove
       settled_(settled),
       provenance_(provenance),
       database_(projects_.a.database()),
-      b_(projects_.b_content) {}
+      b_(projects_.b_content),
+      places_(projects_.a, a_, rows_) {}
 
 Outcome Merging::run() {
   a_ = readContent(database_);
@@ -94,11 +96,6 @@ Outcome Merging::run() {
   searchAnew();
   mergeTerms();
   return std::move(outcome_);
-}
-
-std::string Merging::canonicalId(const std::string& id) const {
-  const auto found = alias_.find(id);
-  return found == alias_.end() ? id : found->second;
 }
 
 void Merging::readAliases() {
@@ -202,7 +199,10 @@ void Merging::mergeTable(const Table& a, const Table& b) {
     copyEvents(mine->id);
     mergeRow(a, *mine, theirs);
   }
+  places_.settleNames();
+  JoinedPlaces::sort(b, fresh);
   for (const Row* theirs : fresh) insertRow(b, *theirs, canonical(b, *theirs));
+  places_.settle(a, deferred_);
 }
 
 void Merging::mergeRow(const Table& table, const Row& mine, const Row& theirs) {
@@ -318,6 +318,14 @@ void Merging::insertRow(const Table& table, const Row& theirs, const Values& giv
   }
   if (table.name == "batch") numberBatch(table, theirs, values);
   if (table.name == "scan") placeScan(table, theirs, values);
+  if (const std::size_t i = table.column("one_with"); i < values.size() && !values[i]) {
+    const bool came = std::ranges::any_of(table.unique, [&](const std::string& column) {
+      const Value& within = theirs.values[table.column(column)];
+      return within && places_.now(sameId(*within)) != sameId(*within);
+    });
+    Value& key = values[table.column(table.unique.back())];
+    key = places_.heldKey(table.name, key, came, theirs.id);
+  }
   const bool numbered = table.name != "sherd" || takesNumber(theirs.id, table, values);
   if (!numbered) {
     values[table.column("number")] = "";
@@ -385,7 +393,8 @@ bool Merging::claimName(const Table& table, const Values& values) {
 }
 
 void Merging::write(const Table& table, std::int64_t row,
-                    const std::vector<std::pair<std::size_t, Value>>& changes) {
+                    std::vector<std::pair<std::size_t, Value>> changes) {
+  places_.hold(table, row, changes);
   std::string columns;
   for (const auto& [i, value] : changes) columns += table.columns[i] + " = ?, ";
   store::Statement update =

@@ -8,6 +8,7 @@
 
 #include "catalogue/catalogue.h"
 #include "merge/content.h"
+#include "merge/joined_places.h"
 #include "merge/outcome.h"
 #include "merge/units.h"
 #include "records/records.h"
@@ -45,10 +46,11 @@ class Merging {
   void insertRow(const Table& table, const Row& theirs, const Values& values);
   bool claimName(const Table& table, const Values& values);
   void write(const Table& table, std::int64_t row,
-             const std::vector<std::pair<std::size_t, Value>>& changes);
+             std::vector<std::pair<std::size_t, Value>> changes);
   void setDeferred();
   Values canonical(const Table& table, const Row& row) const;
-  std::string canonicalId(const std::string& id) const;
+  std::string sameId(const std::string& id) const;       ///< the same row in A
+  std::string canonicalId(const std::string& id) const;  ///< or the place that it is one with
   Value stored(const Table& table, std::size_t column, const Value& value) const;
   /// Whose value holds, by who changed it since both were the same.
   Take decide(const Table* table, Said said);
@@ -56,7 +58,6 @@ class Merging {
   const Choice* choiceOf(const std::string& conflict_id) const;
   Said saidOf(const Table& table, const Unit& unit, const Row& mine, const Values& theirs) const;
   std::string told(const Table& table, std::size_t column, const Value& value) const;
-
   // versions.cpp: what a person sees of a conflict
   std::string labelOf(const std::string& id) const;
   void label(const Table& table, const std::string& id, const Values& values);
@@ -69,7 +70,6 @@ class Merging {
   void stamp(Version& version, const Touched& touched, const Said& said) const;
   void stampRow(Version& version, const Table& table, const Values& values, const char* person,
                 const char* at) const;
-
   // events.cpp: the history
   void compareHistories(const std::string& table);
   void copyEvents(const std::string& row);
@@ -77,7 +77,6 @@ class Merging {
                 const std::string& old_value, const std::string& new_value);
   static bool touches(const Touched& touched, const std::string& row,
                       const std::vector<std::string>& fields);
-
   // numbers.cpp: sherds and their numbers
   void readSameSherds();
   void noteNumbers();
@@ -95,12 +94,12 @@ class Merging {
   void proposeNumbers();
   void mergeMeasurements();
   void mergeJoins();
-
   // batches.cpp, peoples_files.cpp: batches, their scans, decisions and files
   void numberBatch(const Table& table, const Row& theirs, Values& values);
   std::string placed(const std::string& path) const;
   void noteOwnComputations();
   void placeScan(const Table& table, const Row& theirs, Values& values);
+  std::vector<std::string> bagsNow(const std::vector<std::string>& bags) const;
   void mergeBags();
   void comparePairs();
   void comparePieces();
@@ -127,6 +126,7 @@ class Merging {
   std::map<std::string, std::vector<Unit>> units_;               ///< by table
   std::unordered_map<std::string, std::string> alias_, labels_;  ///< of B -> of A; by uuid
   std::unordered_map<std::string, std::int64_t> rows_;           ///< of A, by uuid
+  JoinedPlaces places_;
   std::unordered_map<std::string, Take> takes_, of_row_;  ///< of a conflict; of a row's fields
   std::unordered_map<std::string, std::vector<Event>> new_events_;  ///< of B alone, by row
   Touched touched_a_, touched_b_;

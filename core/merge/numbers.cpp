@@ -427,7 +427,7 @@ void Merging::mergeJoins() {
 }
 
 void Merging::searchAnew() {
-  if (places_changed_) {
+  if (places_changed_ || places_.changed()) {
     const auto all = database_.sql("SELECT row FROM sherd").all<std::int64_t>();
     changed_sherds_.insert(all.begin(), all.end());
   }

@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "catalogue/batches.h"
 #include "catalogue/places.h"
+#include "catalogue/renamed_places.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 #include "metadata/json_fields.h"
@@ -243,6 +244,7 @@ class Reading {
     for (const auto& t : orEmpty(Places(catalogue).trenches())) know(t, keyOf(t));
     for (const auto& c : orEmpty(Places(catalogue).contexts())) know(c, keyOf(c));
     for (const auto& b : orEmpty(Places(catalogue).bags())) know(b, keyOf(b));
+    for (const auto& [id, row] : orEmpty(joinedPlaces(catalogue))) known_[id] = row;
   }
 
   void places(const json& places) {

@@ -61,8 +61,8 @@ bool isPlace(Query& query, const std::string& name) {
   return query.database
       .sql(
           "SELECT 1 FROM site WHERE code_key = ?1 UNION SELECT 1 FROM trench WHERE code_key = ?1 "
-          "UNION SELECT 1 FROM context WHERE number_key = ?1 UNION SELECT 1 FROM bag WHERE "
-          "number_key = ?1",
+          "AND one_with IS NULL UNION SELECT 1 FROM context WHERE number_key = ?1 AND one_with IS "
+          "NULL UNION SELECT 1 FROM bag WHERE number_key = ?1 AND one_with IS NULL",
           store::codeKey(name))
       .next();
 }

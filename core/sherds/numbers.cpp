@@ -1,13 +1,13 @@
 #include "sherds/numbers.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
-#include <optional>
 #include <set>
+#include <tuple>
 
 #include "base/message.h"
 #include "base/text.h"
+#include "catalogue/given_numbers.h"
 #include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
@@ -52,20 +52,6 @@ std::map<std::string, std::string> numberTokens(const catalogue::Catalogue& cata
 
 namespace {
 
-using records::NumberCount;
-
-// Those of a count that were ever given, to whichever sherd.
-std::set<std::int64_t> givenIn(store::Database& database, const NumberCount& count) {
-  std::set<std::int64_t> all;
-  const std::string key = "replace(replace(number_key, ' ', ''), char(160), '')";  // indexed
-  store::Statement rows = database.sql("SELECT number FROM given_number WHERE " + key +
-                                           " >= ?1 AND " + key + " < ?1 || char(1114111)",
-                                       count.before());
-  for (std::string number; rows.read(number);)
-    if (const auto n = count.of(number)) all.insert(*n);
-  return all;
-}
-
 constexpr std::int64_t kLastNumber = 999'999'999;
 
 // The block of numbers of this computer (settings numbering.first and numbering.last), so that two
@@ -75,27 +61,6 @@ std::int64_t settingNumber(const catalogue::Catalogue& catalogue, const char* ke
   const std::string text = store::valueOrThrow(catalogue::Settings(catalogue).value(key));
   if (text.empty()) return otherwise;
   return static_cast<std::int64_t>(store::valueOrThrow(store::parsedNumber(text)));
-}
-
-// After the highest of the block that this computer gives.
-std::int64_t nextOf(store::Database& database, const NumberCount& count, std::int64_t first,
-                    std::int64_t last) {
-  const std::set<std::int64_t> given = givenIn(database, count);
-  const auto behind = given.upper_bound(last);
-  return behind == given.begin() ? first : std::max(first, *std::prev(behind) + 1);
-}
-
-// A sherd that had a number of this count before gets it back: it is nobody else's.
-std::string ownOf(store::Database& database, const NumberCount& count, store::SherdRow sherd) {
-  std::string own;
-  std::int64_t highest = -1;
-  store::Statement rows = database.sql("SELECT number FROM given_number WHERE sherd = ?", sherd);
-  for (std::string number; rows.read(number);)
-    if (const auto n = count.of(number); n && *n > highest) {
-      highest = *n;
-      own = number;
-    }
-  return own;
 }
 
 // 12 of 12.0, which a spreadsheet makes of it.
@@ -152,7 +117,8 @@ Result<std::vector<std::string>> Numbers::propose(std::span<const store::SherdRo
     const records::Numbering scheme = schemeOf(catalogue_);
     const std::int64_t first = settingNumber(catalogue_, "numbering.first", 1);
     const std::int64_t last = settingNumber(catalogue_, "numbering.last", kLastNumber);
-    std::map<std::string, std::int64_t> next;
+    std::map<std::string, std::int64_t> next;  // of each counter
+    std::map<std::tuple<std::string, std::int64_t, std::int64_t>, catalogue::GivenNumbers> counts;
     std::vector<std::string> numbers;
     const std::set<std::string> typed = typedEverywhere(catalogue_);
     for (const records::SherdRecord& sherd : store::valueOrThrow(Sherds(catalogue_).of(rows))) {
@@ -162,13 +128,16 @@ Result<std::vector<std::string>> Numbers::propose(std::span<const store::SherdRo
       }
       const auto tokens = numberTokens(catalogue_, sherd);
       const std::string counter = store::valueOrThrow(scheme.counter(tokens));
-      const NumberCount count(counter);
-      std::string number = ownOf(*database_, count, sherd.row);
+      const auto [count, is_new] =
+          counts.try_emplace({counter, sherd.context.value, sherd.bag.value}, catalogue_, scheme,
+                             tokens, sherd.context, sherd.bag);
+      // A sherd that had a number of this count before gets it back: it is nobody else's.
+      std::string number = count->second.ownOf(sherd.row);
       if (!number.empty()) {
         numbers.push_back(number);
         continue;
       }
-      if (!next.contains(counter)) next[counter] = nextOf(*database_, count, first, last);
+      if (is_new) next[counter] = std::max(next[counter], count->second.next(first, last));
       do {
         const std::int64_t n = next[counter]++;
         if (n > last)
@@ -198,8 +167,9 @@ Result<std::vector<std::string>> Numbers::assign(std::span<const store::SherdRow
 }
 
 Result<int> Numbers::next(const std::string& counter, int first, int last) const {
-  return database_->asResult(
-      [&] { return static_cast<int>(nextOf(*database_, NumberCount(counter), first, last)); });
+  return database_->asResult([&] {
+    return static_cast<int>(catalogue::GivenNumbers(catalogue_, counter).next(first, last));
+  });
 }
 
 Result<std::vector<std::string>> Numbers::similar(store::SherdRow sherd,
@@ -245,14 +215,15 @@ Result<std::vector<int>> Numbers::gaps(store::ContextRow context) const {
     const auto rows =
         database_->sql("SELECT min(row) FROM sherd WHERE context = ? GROUP BY bag, batch", context)
             .all<store::SherdRow>();
-    std::set<std::string> counters;
+    std::map<std::string, catalogue::GivenNumbers> counts;
     for (const records::SherdRecord& sherd : store::valueOrThrow(Sherds(catalogue_).of(rows)))
-      if (const auto counter = scheme.counter(numberTokens(catalogue_, sherd)))
-        counters.insert(*counter);
+      if (const auto tokens = numberTokens(catalogue_, sherd);
+          const auto counter = scheme.counter(tokens))
+        counts.try_emplace(*counter, catalogue_, scheme, tokens, sherd.context, sherd.bag);
     std::vector<int> gaps;
-    for (const std::string& counter : counters) {
+    for (const auto& [counter, count] : counts) {
       std::int64_t expected = first;
-      for (const std::int64_t n : givenIn(*database_, NumberCount(counter))) {
+      for (const std::int64_t n : count.all()) {
         if (n > last) break;
         for (; expected < n && gaps.size() < kMost; ++expected)
           gaps.push_back(static_cast<int>(expected));

@@ -51,8 +51,11 @@ CREATE TABLE trench (
   revision INTEGER NOT NULL DEFAULT 1, extra TEXT NOT NULL DEFAULT '{}' CHECK (json_valid(extra)),
   site INTEGER NOT NULL REFERENCES site,
   code TEXT NOT NULL CHECK (code <> ''), code_key TEXT NOT NULL, name TEXT NOT NULL,
-  parent INTEGER REFERENCES trench, UNIQUE (site, code_key)
+  parent INTEGER REFERENCES trench,
+  -- The trench that this one turned out to be: its contexts lie there, and nothing lists it any more.
+  one_with INTEGER REFERENCES trench
 ) STRICT;
+CREATE UNIQUE INDEX trench_place ON trench (site, code_key) WHERE one_with IS NULL;
 CREATE INDEX trench_code ON trench (code_key);
 
 CREATE TABLE context (
@@ -66,9 +69,10 @@ CREATE TABLE context (
     CHECK (kind IN ('', 'layer', 'cut', 'fill', 'structure', 'surface', 'unstratified')),
   excavated_on TEXT NOT NULL DEFAULT '', period TEXT NOT NULL DEFAULT '',
   date_edtf TEXT NOT NULL DEFAULT '', closed INTEGER CHECK (closed IN (0, 1)),
-  note TEXT NOT NULL DEFAULT ''
+  note TEXT NOT NULL DEFAULT '', one_with INTEGER REFERENCES context  -- as a trench's
 ) STRICT;
-CREATE UNIQUE INDEX context_place ON context (site, ifnull(trench, 0), number_key);
+CREATE UNIQUE INDEX context_place ON context (site, ifnull(trench, 0), number_key)
+  WHERE one_with IS NULL;
 CREATE INDEX context_number ON context (number_key);
 CREATE INDEX context_trench ON context (trench);
 
@@ -81,8 +85,10 @@ CREATE TABLE bag (
   number TEXT NOT NULL CHECK (number <> ''), number_key TEXT NOT NULL,
   collected_on TEXT NOT NULL DEFAULT '', count_written INTEGER CHECK (count_written >= 0),
   weight_g REAL CHECK (weight_g > 0), storage TEXT NOT NULL DEFAULT '',
-  UNIQUE (context, number_key)
+  one_with INTEGER REFERENCES bag  -- as a trench's
 ) STRICT;
+CREATE UNIQUE INDEX bag_place ON bag (context, number_key) WHERE one_with IS NULL;
+CREATE INDEX bag_context ON bag (context);
 
 CREATE TABLE batch (
   row INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE,
@@ -107,6 +113,7 @@ CREATE TABLE batch_bag (
   batch INTEGER NOT NULL REFERENCES batch, position INTEGER NOT NULL,
   bag INTEGER NOT NULL REFERENCES bag, PRIMARY KEY (batch, position), UNIQUE (batch, bag)
 ) STRICT, WITHOUT ROWID;
+CREATE INDEX batch_bag_bag ON batch_bag (bag);
 
 CREATE TABLE photograph (
   row INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE,

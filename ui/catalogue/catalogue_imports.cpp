@@ -1,6 +1,7 @@
-// What comes from elsewhere: tables, exports, whole projects.
+// What comes from elsewhere: tables, exports, whole projects; and places that are called otherwise.
 #include "tables/import_table.h"
 #include "ui/catalogue/catalogue_screen.h"
+#include "ui/catalogue/places_dialog.h"
 #include "ui/frame/project_session.h"
 #include "ui/merge/merge_dialog.h"
 #include "ui/merge/merge_model.h"
@@ -32,6 +33,18 @@ void CatalogueScreen::openMerge() {
   }
   merge_dialog_->show();
   merge_dialog_->activateWindow();
+}
+
+void CatalogueScreen::renamePlaces() {
+  if (!session_) return;
+  if (!places_dialog_) {
+    places_dialog_ = new PlacesDialog(*session_, this);
+    places_dialog_->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  if (const std::vector<store::SherdRow> sherds = selected(); !sherds.empty())
+    places_dialog_->showPlaceOf(sherds.front());
+  places_dialog_->show();
+  places_dialog_->activateWindow();
 }
 
 // Every screen shows what came; what was changed before it cannot be taken back any more.

@@ -24,6 +24,7 @@
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/frozen_column.h"
 #include "ui/catalogue/model_pane.h"
+#include "ui/catalogue/places_dialog.h"
 #include "ui/frame/no_batch_yet.h"
 #include "ui/frame/project_session.h"
 #include "ui/look/look.h"
@@ -239,8 +240,10 @@ void CatalogueScreen::addActions() {
           "giveNumbers", [this] { giveNumbers(); });
   QAction* labels = add(tr("Print labels"), "print", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L),
                         "printLabels", [this] { printLabels(); });
+  QAction* places = add(tr("Rename places"), "map", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R),
+                        "renamePlaces", [this] { renamePlaces(); });
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
-  table_->addActions({edit, drawing, compare_, number, labels});
+  table_->addActions({edit, drawing, compare_, number, labels, places});
 }
 
 // F2, Enter and a double click: what is chosen can be typed into at once.
@@ -335,6 +338,7 @@ void CatalogueScreen::closeProject() {
   delete import_dialog_.data();
   import_->openProject(nullptr);
   delete merge_dialog_.data();
+  delete places_dialog_.data();
   delete compare_window_.data();
   merge_->openProject(nullptr);
   delete edits_;

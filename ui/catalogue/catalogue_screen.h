@@ -26,6 +26,7 @@ class MergeDialog;
 class MergeModel;
 class ModelPane;
 class NoBatchYet;
+class PlacesDialog;
 class SherdDetails;
 class SherdEdits;
 class SherdTableModel;
@@ -68,11 +69,12 @@ class CatalogueScreen final : public Screen {
   void saveField(const QString& field, const QString& value);
   void keepField(const QString& field, const QString& value,
                  records::Confirmation confirmation = records::Confirmation::None);
-  void move(const QStringList& place);
+  void move(const QString& place, records::Confirmation confirmation);
   void changeAll(const std::vector<records::FieldChange>& changes);
   void giveNumbers();
   void openImport();
   void openMerge();
+  void renamePlaces();
   void tookProject(const QString& sentence);
   void openDetails();
   void compare();
@@ -105,6 +107,7 @@ class CatalogueScreen final : public Screen {
   QPointer<ImportDialog> import_dialog_;
   MergeModel* merge_ = nullptr;
   QPointer<MergeDialog> merge_dialog_;
+  QPointer<PlacesDialog> places_dialog_;
   QAction* compare_ = nullptr;
   QPointer<CompareWindow> compare_window_;
   SherdDetails* details_ = nullptr;

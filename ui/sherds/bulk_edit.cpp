@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <set>
 
+#include "catalogue/label_codes.h"
 #include "intake/sherd_moves.h"
+#include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherd_fields.h"
@@ -81,6 +83,9 @@ void BulkEdit::buildLayout() {
   summary_ = wrappedLabel(this, "bulkSummary");
   replace_ = named<QCheckBox>("bulkReplace", tr("Replace with measured value"), this);
   replace_->hide();
+  make_bags_ = iconButton(this, "bulkMakeBags", "bag", tr("Make these bags"), this,
+                          &BulkEdit::makeBags);
+  make_bags_->hide();
   connect(replace_, &QCheckBox::clicked, this, [this] { preview(); });
   table_ = new QTableWidget(0, 3, this);
   table_->setHorizontalHeaderLabels({tr("sherd"), tr("now"), tr("then")});
@@ -108,6 +113,7 @@ void BulkEdit::buildLayout() {
                                  value_,
                                  summary_,
                                  replace_,
+                                 make_bags_,
                                  {table_, 1},
                                  apply_,
                                  numbers_,
@@ -168,6 +174,8 @@ void BulkEdit::preview() {
   good_.clear();
   note_.clear();
   table_->setRowCount(0);
+  lacking_.clear();
+  make_bags_->hide();
   apply_->setEnabled(false);
   apply_->setText(tr("Change"));
   summary_->clear();
@@ -192,7 +200,7 @@ void BulkEdit::preview() {
     for (const store::SherdRow& sherd : sherds)
       changes.push_back({sherd, field, value, confirmation});
     Result<intake::Move> move =
-        isPlace(field) ? intake::moveOf(*catalogue, changes) : intake::Move{changes, 0, {}, {}};
+        isPlace(field) ? intake::moveOf(*catalogue, changes) : intake::Move{changes};
     if (!move) return move.error();
     Result<std::vector<records::ChangePreview>> shown =
         sherds::SherdChanges(*catalogue).preview(move->changes);
@@ -210,6 +218,20 @@ void BulkEdit::preview() {
     else
       summary_->setText(sentenceOf(preview.error()));
   });
+}
+
+// In the new contexts: the sherds come to them.
+void BulkEdit::makeBags() {
+  if (!session_) return;
+  const records::Provenance provenance = session_->provenance();
+  const Result<void> made = session_->project().catalogue().together([&]() -> Result<void> {
+    for (const catalogue::BagPlace& bag : lacking_)
+      if (const auto row = catalogue::bagAt(session_->project().catalogue(), bag, provenance); !row)
+        return row.error();
+    return {};
+  });
+  preview();
+  if (!made) summary_->setText(sentenceOf(made.error()));
 }
 
 void BulkEdit::showPreview(const Preview& preview) {
@@ -242,6 +264,8 @@ void BulkEdit::showPreview(const Preview& preview) {
   const QString counts =
       tr("To change: %1. Unchanged: %2. Rejected: %3.").arg(changed).arg(same).arg(refused);
   note_ = leftBehindWords(preview.move);
+  lacking_ = preview.move.lacking;
+  make_bags_->setVisible(!lacking_.empty());
   QStringList lines = QStringList(counts) + reasonsOf(preview.shown);
   if (asked > 0) lines << tr("%n value(s) ask for a confirmation.", nullptr, asked);
   replace_->setVisible(asks);

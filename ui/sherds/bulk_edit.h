@@ -1,9 +1,11 @@
 #pragma once
 #include <QPointer>
 #include <QWidget>
+#include <set>
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/label_codes.h"
 #include "records/sherd.h"
 #include "ui/frame/term_words.h"
 #include "ui/jobs/job.h"
@@ -46,6 +48,7 @@ class BulkEdit final : public QWidget {
   void buildLayout();
   struct Preview;
   void showPreview(const Preview& preview);
+  void makeBags();
   void offerTerms();
 
   ProjectSession* session_ = nullptr;
@@ -58,6 +61,8 @@ class BulkEdit final : public QWidget {
   TermWords words_;
   QLineEdit* value_ = nullptr;
   QCheckBox* replace_ = nullptr;  ///< a person confirms what is asked of measurements
+  QPushButton* make_bags_ = nullptr;
+  std::set<catalogue::BagPlace> lacking_;  ///< that sherds would leave theirs for none
   QLabel* summary_ = nullptr;
   QTableWidget* table_ = nullptr;
   QPushButton* apply_ = nullptr;

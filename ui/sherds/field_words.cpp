@@ -281,14 +281,18 @@ QString inTwoWays(const std::string& field, const QString& typed) {
 
 QString leftBehindWords(const intake::Move& move) {
   QStringList said, bags, numbers;
-  for (const std::string& bag : move.bags) bags << QString::fromStdString(bag);
+  for (const catalogue::BagPlace& bag : move.lacking)
+    bags << QCoreApplication::translate("ostraka::ui", "%1 in %2")
+                .arg(QString::fromStdString(bag.bag), QString::fromStdString(bag.context));
   for (const std::string& number : move.numbers) numbers << QString::fromStdString(number);
-  if (move.without_bag > 0)
+  if (!bags.isEmpty())
     said << QCoreApplication::translate(
-                "ostraka::ui",
-                "%n sherd(s) leave their bag, which stays in the old context (bags: %1).", nullptr,
-                move.without_bag)
+                "ostraka::ui", "%n sherd(s) leave their bag, because there is no bag %1 yet.",
+                nullptr, move.without_bag)
                 .arg(firstOf(bags, kMostNamed));
+  else if (move.without_bag > 0)
+    said << QCoreApplication::translate("ostraka::ui", "%n sherd(s) leave their bag.", nullptr,
+                                        move.without_bag);
   if (!move.numbers.empty())
     said << QCoreApplication::translate("ostraka::ui",
                                         "%n sherd(s) keep a number of the old context: %1.",

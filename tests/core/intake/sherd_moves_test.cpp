@@ -8,6 +8,7 @@
 #include "records/sherd.h"
 #include "sherds/numbers.h"
 #include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
 #include "tests/core/catalogue/small_project.h"
 
 namespace ostraka::intake {
@@ -33,7 +34,8 @@ class Moves : public catalogue::SmallProject {
 TEST_F(Moves, LeaveTheBagsOfTheOldContextAndUndoBringsThemBack) {
   const Move both = move({{first, "context", "0013"}, {second, "context", "0013"}});
   EXPECT_EQ(both.without_bag, 2);
-  EXPECT_THAT(both.bags, ElementsAre("4", "5"));
+  EXPECT_THAT(both.lacking, ElementsAre(catalogue::BagPlace{"ARM1", "T3", "0013", "4"},
+                                        catalogue::BagPlace{"ARM1", "T3", "0013", "5"}));
   EXPECT_THAT(both.numbers, ElementsAre("ARM1-T3-0012-0001", "ARM1-T3-0012-0002"));
   const Result<std::vector<records::FieldChange>> undo =
       sherds::SherdChanges(catalogue()).apply(both.changes, anna);
@@ -52,9 +54,22 @@ TEST_F(Moves, IntoABagOfTheNewContextEmptyNone) {
   EXPECT_EQ(named.changes.size(), 2u);
   EXPECT_EQ(named.without_bag, 0);
   EXPECT_THAT(named.numbers, ElementsAre("ARM1-T3-0012-0001"));
-  // Another bag than the one that it lies in, though of its number.
-  const store::SherdRow third = draft(context12, bag(context12, "1"));
-  EXPECT_EQ(move({{third, "context", "0013"}}).without_bag, 1);
+}
+
+TEST_F(Moves, KeepTheBagWhereTheNewContextHasOneOfItsNumber) {
+  bag(context13, "4");
+  const Move both = move({{first, "context", "0013"}, {second, "context", "0013"}});
+  EXPECT_EQ(both.without_bag, 1);
+  EXPECT_THAT(both.lacking, ElementsAre(catalogue::BagPlace{"ARM1", "T3", "0013", "5"}));
+  const auto undo = sherds::SherdChanges(catalogue()).apply(both.changes, anna);
+  ASSERT_TRUE(undo) << undo.error().sentence();
+  EXPECT_EQ(valueOf(first, "context") + " " + valueOf(first, "bag"), "0013 4");
+  EXPECT_EQ(valueOf(second, "context") + " " + valueOf(second, "bag"), "0013 ");
+  const auto bag4_now = sherds::Sherds(catalogue()).get(first)->bag;
+  EXPECT_NE(bag4_now, bag4) << "of the new context";
+  ASSERT_TRUE(sherds::SherdChanges(catalogue()).apply(*undo, anna));
+  EXPECT_EQ(sherds::Sherds(catalogue()).get(first)->bag, bag4);
+  EXPECT_EQ(valueOf(second, "context") + " " + valueOf(second, "bag"), "0012 5");
 }
 
 TEST_F(Moves, ThatAreNoneOrAreRefusedLeaveNothing) {

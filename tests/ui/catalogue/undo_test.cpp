@@ -1,4 +1,5 @@
 // An edit in the catalogue is taken back, but nothing that others wrote.
+#include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
 #include <QLabel>
@@ -76,10 +77,15 @@ class UndoTest : public CatalogueWindow {
     auto* place = child<QComboBox>("field_place");
     place->setFocus();
     QTest::keyClick(place, Qt::Key_Down);
+    QCOMPARE(sample_->value(0, "context"), QString("0012"));  // asked before
+    const QString asked = child<QLabel>("refusalText")->text();
+    QVERIFY2(asked.contains("leaves its bag, because there is no bag 4 in 0013 yet."),
+             qPrintable(asked));
+    QTest::mouseClick(child<QAbstractButton>("confirmChange"), Qt::LeftButton);
     QCOMPARE(sample_->value(0, "context"), QString("0013"));
     QCOMPARE(sample_->value(0, "bag"), QString());
     const QString told = child<QLabel>("problem")->text();
-    QVERIFY2(child<QLabel>("problem")->isVisible() && told.contains("old context (bags: 4).") &&
+    QVERIFY2(child<QLabel>("problem")->isVisible() &&
                  told.contains("a number of the old context: ARM1-T3-0012-0001."),
              qPrintable(told));
     sample_->session().undo().undo();
@@ -98,11 +104,17 @@ class UndoTest : public CatalogueWindow {
     QTest::keyClicks(child<QLineEdit>("bulkValue"), "0013");
     auto* summary = child<QLabel>("bulkSummary");
     QTRY_VERIFY(summary->text().startsWith("To change: 2. Unchanged: 0. Rejected: 0."));
-    QVERIFY2(summary->text().contains("old context (bags: 4)."), qPrintable(summary->text()));
+    QVERIFY2(summary->text().contains("leave their bag, because there is no bag 4 in 0013 yet."),
+             qPrintable(summary->text()));
+    auto* make = child<QPushButton>("bulkMakeBags");
+    QVERIFY(make->isVisible());
+    QTest::mouseClick(make, Qt::LeftButton);
+    QTRY_VERIFY(summary->text().startsWith("To change: 2.") && !summary->text().contains("leave"));
+    QVERIFY(make->isHidden());
     QTest::mouseClick(child<QPushButton>("bulkApply"), Qt::LeftButton);
     for (const int sherd : {0, 2}) {
       QCOMPARE(sample_->value(sherd, "context"), QString("0013"));
-      QCOMPARE(sample_->value(sherd, "bag"), QString());
+      QCOMPARE(sample_->value(sherd, "bag"), QString("4"));
     }
     QVERIFY(child<QLabel>("problem")->text().contains("ARM1-T3-0012-0001, ARM1-T3-0012-0002"));
     QCOMPARE(sample_->session().undo().count(), 1);

@@ -470,9 +470,9 @@
       <translation>Grund der Ungültigkeit</translation>
     </message>
     <message>
-      <source>one sherd with</source>
+      <source>identical with</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>dieselbe Scherbe wie</translation>
+      <translation>identisch mit</translation>
     </message>
 </context>
 <context>

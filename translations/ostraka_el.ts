@@ -470,9 +470,9 @@
       <translation>λόγος ακύρωσης</translation>
     </message>
     <message>
-      <source>one sherd with</source>
+      <source>identical with</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ίδιο όστρακο με</translation>
+      <translation>ταυτίζεται με</translation>
     </message>
 </context>
 <context>

@@ -470,9 +470,9 @@
       <translation>motivo de la anulación</translation>
     </message>
     <message>
-      <source>one sherd with</source>
+      <source>identical with</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>mismo fragmento que</translation>
+      <translation>idéntico a</translation>
     </message>
 </context>
 <context>

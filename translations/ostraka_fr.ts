@@ -470,9 +470,9 @@
       <translation>raison de l’annulation</translation>
     </message>
     <message>
-      <source>one sherd with</source>
+      <source>identical with</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>même tesson que</translation>
+      <translation>identique à</translation>
     </message>
 </context>
 <context>

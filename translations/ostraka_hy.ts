@@ -470,9 +470,9 @@
       <translation>անվավեր ճանաչելու պատճառ</translation>
     </message>
     <message>
-      <source>one sherd with</source>
+      <source>identical with</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>նույն բեկորը, ինչ</translation>
+      <translation>նույնն է, ինչ</translation>
     </message>
 </context>
 <context>

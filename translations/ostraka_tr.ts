@@ -470,9 +470,9 @@
       <translation>geçersiz sayma nedeni</translation>
     </message>
     <message>
-      <source>one sherd with</source>
+      <source>identical with</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>aynı parça</translation>
+      <translation>aynısı</translation>
     </message>
 </context>
 <context>

@@ -140,7 +140,6 @@ void JoinedPlaces::breakCircles(const std::string& table) {
 // what A and B say of it is of that one.
 void JoinedPlaces::settle(const Table& table, std::vector<Deferred>& deferred) {
   if (!kindOf(table.name)) return;
-  settleNames();
   std::erase_if(deferred, [&](const Deferred& one) {
     if (one.table != table.name || one.column != "one_with" || !rows_.contains(one.id))
       return false;
@@ -148,6 +147,7 @@ void JoinedPlaces::settle(const Table& table, std::vector<Deferred>& deferred) {
                   one.row);
     return true;
   });
+  settleNames();
   breakCircles(table.name);
   std::vector<std::pair<std::int64_t, std::string>> gone;
   store::Statement rows =

@@ -85,8 +85,10 @@ void BatchQueue::setSession(ProjectSession* session) {
   log_.clear();
   session_ = session;
   switches_->setSession(session);
-  if (session_ != nullptr)
+  if (session_ != nullptr) {
     connect(session_, &ProjectSession::batchChanged, this, &BatchQueue::refreshBatch);
+    connect(session_, &ProjectSession::sherdsChanged, this, &BatchQueue::followPlaces);
+  }
   refresh();
   emit workChanged();
 }
@@ -162,6 +164,19 @@ void BatchQueue::refreshBatch(const QString& number) {
   *row = rowFrom(*batch, row);
   touch(number);
   startNext();
+}
+
+// A batch is where all of its sherds are by now.
+void BatchQueue::followPlaces() {
+  const catalogue::Catalogue& catalogue = session_->project().catalogue();
+  const auto batches = catalogue::Batches(catalogue).all();
+  if (!batches) return;
+  for (const records::BatchRecord& batch : *batches)
+    if (QueueRow* row = find(QString::fromStdString(batch.number)))
+      if (const QString about = aboutBatch(catalogue, batch); about != row->about) {
+        row->about = about;
+        touch(row->number);
+      }
 }
 
 int BatchQueue::rowCount(const QModelIndex& parent) const {

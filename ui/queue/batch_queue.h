@@ -101,6 +101,7 @@ class BatchQueue final : public QAbstractListModel {
   /// The catalogue's batches changed.
   void refresh();
   void refreshBatch(const QString& number);
+  void followPlaces();
   QueueRow rowFrom(const records::BatchRecord& batch, const QueueRow* before) const;
   void startNext();
   void makeWayForADraft();

@@ -83,8 +83,8 @@ void BulkEdit::buildLayout() {
   summary_ = wrappedLabel(this, "bulkSummary");
   replace_ = named<QCheckBox>("bulkReplace", tr("Replace with measured value"), this);
   replace_->hide();
-  make_bags_ = iconButton(this, "bulkMakeBags", "bag", tr("Make these bags"), this,
-                          &BulkEdit::makeBags);
+  make_bags_ =
+      iconButton(this, "bulkMakeBags", "bag", tr("Make these bags"), this, &BulkEdit::makeBags);
   make_bags_->hide();
   connect(replace_, &QCheckBox::clicked, this, [this] { preview(); });
   table_ = new QTableWidget(0, 3, this);

@@ -50,7 +50,7 @@ const char* labelOf(const QString& field) {
       {"munsell_core", QT_TRANSLATE_NOOP("Fields", "Munsell core")},
       {"condition", QT_TRANSLATE_NOOP("Fields", "condition")},
       {"joins", QT_TRANSLATE_NOOP("Fields", "joins with")},
-      {"one_with", QT_TRANSLATE_NOOP("Fields", "one sherd with")},
+      {"one_with", QT_TRANSLATE_NOOP("Fields", "identical with")},
       {"vessel", QT_TRANSLATE_NOOP("Fields", "vessel")},
       {"period", QT_TRANSLATE_NOOP("Fields", "period")},
       {"date_edtf", QT_TRANSLATE_NOOP("Fields", "date")},

@@ -3,9 +3,14 @@
 
 #include "batch/batch.h"
 #include "catalogue/batches.h"
+#include "catalogue/label_codes.h"
+#include "catalogue/places.h"
 #include "files/files.h"
 #include "queue_bench.h"
 #include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
 #include "tests/ui/program.h"
 #include "ui/queue/batch_queue.h"
 
@@ -62,6 +67,28 @@ class QueueRowsTest : public QObject {
     QVERIFY(batches.save(photograph, {}).has_value());
     bench.queue.setSession(&bench.session);
     QVERIFY2(bench.queue.row(0).about.contains("invented"), qPrintable(bench.queue.row(0).about));
+  }
+
+  void aBatchIsWhereAllOfItsSherdsAreByNow() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    const catalogue::Catalogue& rows = bench.session.project().catalogue();
+    const auto wrong = catalogue::bagAt(rows, {"ARM1", "T3", "12", "4"}, {});
+    QVERIFY(wrong && catalogue::bagAt(rows, {"ARM1", "T3", "0012", "4"}, {}));
+    records::BatchRecord batch;
+    batch.bags = {*wrong};
+    batch.state = records::BatchState::Review;
+    records::SherdRecord sherd;
+    sherd.batch = *catalogue::Batches(rows).add(batch, {});
+    sherd.bag = *wrong;
+    sherd.context = *catalogue::Places(rows).contextByPlace("ARM1", "T3", "12");
+    const auto added = sherds::Sherds(rows).add(sherd, {});
+    bench.queue.setSession(&bench.session);
+    QCOMPARE(bench.queue.row(0).about, QStringLiteral("ARM1 / T3 / 12 bag 4"));
+    const records::FieldChange move{*added, "context", "0012"};
+    QVERIFY(sherds::SherdChanges(rows).apply(std::span(&move, 1), {}).has_value());
+    bench.session.tellSherdsChanged();
+    QCOMPARE(bench.queue.row(0).about, QStringLiteral("ARM1 / T3 / 0012 bag 4"));
   }
 
   void aBatchWithoutABagSaysSo() {

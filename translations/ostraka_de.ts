@@ -11759,5 +11759,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Umbenannt: %1 ist jetzt %2.</translation>
     </message>
+    <message>
+      <source>A site gets another code in the settings, under Open project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Fundort bekommt ein anderes Kürzel in den Einstellungen unter „Offenes Projekt“.</translation>
+    </message>
 </context>
 </TS>

@@ -11759,5 +11759,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετονομάστηκε: το %1 είναι τώρα %2.</translation>
     </message>
+    <message>
+      <source>A site gets another code in the settings, under Open project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια θέση παίρνει άλλον κωδικό στις ρυθμίσεις, στο «Ανοιχτό έργο».</translation>
+    </message>
 </context>
 </TS>

@@ -11759,5 +11759,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Renombrado: %1 es ahora %2.</translation>
     </message>
+    <message>
+      <source>A site gets another code in the settings, under Open project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un yacimiento recibe otro código en los ajustes, en Proyecto abierto.</translation>
+    </message>
 </context>
 </TS>

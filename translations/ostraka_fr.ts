@@ -11759,5 +11759,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Renommé : %1 est maintenant %2.</translation>
     </message>
+    <message>
+      <source>A site gets another code in the settings, under Open project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un site reçoit un autre code dans les réglages, sous « Projet ouvert ».</translation>
+    </message>
 </context>
 </TS>

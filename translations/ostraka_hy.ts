@@ -11759,5 +11759,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վերանվանված է. %1-ն այժմ %2 է։</translation>
     </message>
+    <message>
+      <source>A site gets another code in the settings, under Open project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հուշարձանը այլ ծածկագիր է ստանում կարգավորումներում՝ «Բաց նախագիծ» բաժնում։</translation>
+    </message>
 </context>
 </TS>

@@ -11697,5 +11697,10 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeniden adlandırıldı: %1 artık %2.</translation>
     </message>
+    <message>
+      <source>A site gets another code in the settings, under Open project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir alan, ayarlarda “Açık proje” altında başka bir kod alır.</translation>
+    </message>
 </context>
 </TS>

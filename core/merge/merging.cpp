@@ -186,22 +186,24 @@ void Merging::mergeTable(const Table& a, const Table& b) {
   if (a.name == "pair_decision") comparePairs();
   if (a.name == "piece_decision") comparePieces();
   if (a.name == "scan") noteOwnComputations();
-  // First what both have: a name may be free once its old bearer is called otherwise.
-  std::vector<const Row*> fresh;
-  for (const Row& theirs : b.rows) {
-    const Row* mine = a.find(canonicalId(theirs.id));
-    if (!mine) {
-      fresh.push_back(&theirs);
-      continue;
-    }
-    if (a.name == "batch")
-      folder_of_[theirs.values[b.column("number")].value_or("")] = labelOf(mine->id);
-    copyEvents(mine->id);
-    mergeRow(a, *mine, theirs);
-  }
-  places_.settleNames();
+  std::vector<const Row*> both, fresh;
+  for (const Row& theirs : b.rows)
+    (a.find(canonicalId(theirs.id)) ? both : fresh).push_back(&theirs);
   JoinedPlaces::sort(b, fresh);
-  for (const Row* theirs : fresh) insertRow(b, *theirs, canonical(b, *theirs));
+  // First what both have: a name may be free once its old bearer is called otherwise. Names of
+  // places are held until all are known, and a place may be one with one that is new.
+  const bool names_are_held = a.column("one_with") < a.columns.size();
+  if (names_are_held)
+    for (const Row* theirs : fresh) insertRow(b, *theirs, canonical(b, *theirs));
+  for (const Row* theirs : both) {
+    const Row* mine = a.find(canonicalId(theirs->id));
+    if (a.name == "batch")
+      folder_of_[theirs->values[b.column("number")].value_or("")] = labelOf(mine->id);
+    copyEvents(mine->id);
+    mergeRow(a, *mine, *theirs);
+  }
+  if (!names_are_held)
+    for (const Row* theirs : fresh) insertRow(b, *theirs, canonical(b, *theirs));
   places_.settle(a, deferred_);
 }
 

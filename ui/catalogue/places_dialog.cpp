@@ -174,6 +174,8 @@ void PlacesDialog::preview() {
   told_->clear();
   would_ = {};
   const auto place = chosen();
+  if (!place && places_->currentItem() != nullptr)
+    told_->setText(tr("A site gets another code in the settings, under Open project."));
   if (!place) return;
   const auto would =
       renamingOf(session_.project().catalogue(), *place, name_->text().toStdString());

@@ -200,7 +200,7 @@ void BulkEdit::preview() {
     for (const store::SherdRow& sherd : sherds)
       changes.push_back({sherd, field, value, confirmation});
     Result<intake::Move> move =
-        isPlace(field) ? intake::moveOf(*catalogue, changes) : intake::Move{changes};
+        isPlace(field) ? intake::moveOf(*catalogue, changes) : intake::Move{changes, 0, {}, {}};
     if (!move) return move.error();
     Result<std::vector<records::ChangePreview>> shown =
         sherds::SherdChanges(*catalogue).preview(move->changes);

@@ -67,13 +67,11 @@ class JoinedInOneHouse : public TwoCopies {
     const std::set<std::string> there = seen(a);
     mergedWithoutQuestion(b_, a);
     EXPECT_EQ(seen(b_), there);
-    for (int i = 0; i < 2; ++i) {
-      const std::string content = contentIn(a), content_b = contentIn(b_);
-      mergedWithoutQuestion(a, b_);
-      mergedWithoutQuestion(b_, a);
-      EXPECT_EQ(contentIn(a), content) << "merging once more changes nothing";
-      EXPECT_EQ(contentIn(b_), content_b);
-    }
+    const std::string content = contentIn(a), content_b = contentIn(b_);
+    mergedWithoutQuestion(a, b_);
+    mergedWithoutQuestion(b_, a);
+    EXPECT_EQ(contentIn(a), content) << "merging once more changes nothing";
+    EXPECT_EQ(contentIn(b_), content_b);
   }
 };
 
@@ -210,7 +208,7 @@ TEST_P(JoinedInAnyOrder, EndAsTheSameProject) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AnyOrder, JoinedInAnyOrder, testing::Range(1u, 9u));
+INSTANTIATE_TEST_SUITE_P(AnyOrder, JoinedInAnyOrder, testing::Range(1u, 5u));
 
 }  // namespace
 }  // namespace ostraka::merge

@@ -10,9 +10,6 @@
 
 namespace ostraka::catalogue {
 
-GivenNumbers::GivenNumbers(const Catalogue& catalogue, const std::string& counter)
-    : catalogue_(catalogue), counts_{records::NumberCount(counter)} {}
-
 GivenNumbers::GivenNumbers(const Catalogue& catalogue, const records::Numbering& scheme,
                            const std::map<std::string, std::string>& tokens,
                            store::ContextRow context, store::BagRow bag)

@@ -17,8 +17,6 @@ namespace ostraka::catalogue {
 /// called before, too. All calls throw as Statement does.
 class GivenNumbers {
  public:
-  /// Of one count alone, as Numbering::counter has it.
-  GivenNumbers(const Catalogue& catalogue, const std::string& counter);
   /// tokens: of a sherd in this context and bag, which may be none.
   GivenNumbers(const Catalogue& catalogue, const records::Numbering& scheme,
                const std::map<std::string, std::string>& tokens, store::ContextRow context,

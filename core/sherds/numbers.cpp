@@ -166,9 +166,12 @@ Result<std::vector<std::string>> Numbers::assign(std::span<const store::SherdRow
   });
 }
 
-Result<int> Numbers::next(const std::string& counter, int first, int last) const {
+Result<int> Numbers::next(const records::Numbering& scheme,
+                          const std::map<std::string, std::string>& tokens,
+                          store::ContextRow context, int first, int last) const {
   return database_->asResult([&] {
-    return static_cast<int>(catalogue::GivenNumbers(catalogue_, counter).next(first, last));
+    const catalogue::GivenNumbers given(catalogue_, scheme, tokens, context, {});
+    return static_cast<int>(given.next(first, last));
   });
 }
 

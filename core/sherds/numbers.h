@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -6,6 +7,7 @@
 #include "base/message.h"
 #include "base/result.h"
 #include "catalogue/subject.h"
+#include "records/numbering.h"
 #include "records/records.h"
 
 namespace ostraka::sherds {
@@ -21,9 +23,11 @@ class Numbers : public catalogue::Subject {
   /// Gives drafts their numbers. Returns them in the order of the rows.
   Result<std::vector<std::string>> assign(std::span<const store::SherdRow>,
                                           const records::Provenance&);
-  /// The next running number of a count (records::Numbering::counter) within first..last; not
-  /// reserved.
-  Result<int> next(const std::string& counter, int first, int last) const;
+  /// The next running number in a context, which may be none, by this scheme and its tokens, within
+  /// first..last; not reserved.
+  Result<int> next(const records::Numbering& scheme,
+                   const std::map<std::string, std::string>& tokens, store::ContextRow context,
+                   int first, int last) const;
   /// Of other sherds, those that people read as this one: they differ in leading zeros, letter case
   /// or punctuation at most (store::sortKey), or in being 12.0 for 12. The number itself is none of
   /// them.

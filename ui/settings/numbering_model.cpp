@@ -148,6 +148,7 @@ void NumberingModel::follow() {
   const auto contexts = places.contexts();
   const auto project = catalogue::Settings(session_->project().catalogue()).project();
   Tokens shown = exampleTokens(project ? project->code : "ARM1", "T3", "0012");
+  store::ContextRow of;
   if (contexts)
     for (const records::ContextRecord& context : *contexts) {
       const Tokens tokens = tokensOf(places, context);
@@ -157,13 +158,13 @@ void NumberingModel::follow() {
         continue;
       }
       shown = tokens;
+      of = context.row;
       if (warning_.isEmpty()) warning_ = wordsOf(scheme->warning(tokens));
     }
   int next = std::max(wanted_.first, 1);
-  if (const auto counter = scheme->counter(shown))
-    if (const auto free =
-            sherds::Numbers(session_->project().catalogue()).next(*counter, next, wanted_.last))
-      next = *free;
+  if (const auto free = sherds::Numbers(session_->project().catalogue())
+                            .next(*scheme, shown, of, next, wanted_.last))
+    next = *free;
   const auto number = scheme->number(shown, next);
   if (number)
     example_ = QString::fromStdString(*number);

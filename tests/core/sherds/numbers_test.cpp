@@ -90,7 +90,11 @@ TEST_F(NumbersTest, CountByThePlaceWhateverItsSpelling) {
   ASSERT_TRUE(set(draft(context12), "number", "ARM1-T3-0012-0018"));
   EXPECT_THAT(*Numbers(catalogue()).propose(std::vector{draft(context12)}),
               ElementsAre("ARM1-T3-0012-0021"));
-  EXPECT_EQ(*Numbers(catalogue()).next("Arm1-t3-0012-{n}", 1, 999), 21);
+  const auto scheme = *records::Numbering::parse("{site}-{trench}-{context}-{n:04}");
+  EXPECT_EQ(*Numbers(catalogue())
+                 .next(scheme, {{"site", "Arm1"}, {"trench", "t3"}, {"context", "0012"}}, context12,
+                       1, 999),
+            21);
   std::vector<int> gaps = *Numbers(catalogue()).gaps(context12);
   ASSERT_EQ(gaps.size(), 18u) << "1 to 17 and 19";
   EXPECT_EQ(gaps[16], 17);

@@ -79,7 +79,7 @@ class UndoTest : public CatalogueWindow {
     QTest::keyClick(place, Qt::Key_Down);
     QCOMPARE(sample_->value(0, "context"), QString("0012"));  // asked before
     const QString asked = child<QLabel>("refusalText")->text();
-    QVERIFY2(asked.contains("leaves its bag, because there is no bag 4 in 0013 yet."),
+    QVERIFY2(asked.contains("leave their bag, because there is no bag 4 in 0013 yet."),
              qPrintable(asked));
     QTest::mouseClick(child<QAbstractButton>("confirmChange"), Qt::LeftButton);
     QCOMPARE(sample_->value(0, "context"), QString("0013"));

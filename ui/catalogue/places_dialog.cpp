@@ -46,7 +46,7 @@ PlacesDialog::PlacesDialog(ProjectSession& session, QWidget* parent)
   setWindowTitle(tr("Rename places"));
   buildLayout();
   resize(
-      fittedToScreen(*this, {fontMetrics().averageCharWidth() * 76, fontMetrics().height() * 30}));
+      fittedToScreen(*this, {fontMetrics().averageCharWidth() * 92, fontMetrics().height() * 32}));
   for (const auto changed : {&ProjectSession::sherdsChanged, &ProjectSession::othersWrote})
     connect(&session_, changed, this, &PlacesDialog::fill);
   fill();
@@ -65,7 +65,7 @@ void PlacesDialog::buildLayout() {
   places_->setTabKeyNavigation(false);
   name_ = named<QLineEdit>({"placeName", tr("Right name of the place")}, this);
   told_ = wrappedLabel(this, "placeTold");
-  told_->setMinimumHeight(4 * fontMetrics().lineSpacing());
+  told_->setMinimumHeight(6 * fontMetrics().lineSpacing());
   told_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   rename_ = new BigButton("placeRename", tr("Rename"), this);
   rename_->setDefault(true);

@@ -2359,11 +2359,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Orte umbenennen</translation>
     </message>
-    <message>
-      <source>Move without bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ohne Beutel verlegen</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::DrawingPage</name>

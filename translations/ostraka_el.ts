@@ -2359,11 +2359,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετονομασία τόπων</translation>
     </message>
-    <message>
-      <source>Move without bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μετακίνηση χωρίς σακούλα</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::DrawingPage</name>

@@ -2359,11 +2359,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Renombrar lugares</translation>
     </message>
-    <message>
-      <source>Move without bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mover sin bolsa</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::DrawingPage</name>

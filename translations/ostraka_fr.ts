@@ -2359,11 +2359,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Renommer des lieux</translation>
     </message>
-    <message>
-      <source>Move without bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Déplacer sans sac</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::DrawingPage</name>

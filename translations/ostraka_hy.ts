@@ -2359,11 +2359,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վերանվանել տեղերը</translation>
     </message>
-    <message>
-      <source>Move without bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեղափոխել առանց տոպրակի</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::DrawingPage</name>

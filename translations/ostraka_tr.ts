@@ -2333,11 +2333,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yerleri yeniden adlandır</translation>
     </message>
-    <message>
-      <source>Move without bag</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Torbasız taşı</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::DrawingPage</name>

@@ -41,7 +41,7 @@ void CatalogueScreen::printLabels() {
 
 void CatalogueScreen::saveField(const QString& field, const QString& value) {
   if (!edits_) return;
-  if (field == "place") return move(value, records::Confirmation::None);
+  if (field == "place") return move(value.split('\n'));
   const catalogue::Catalogue& catalogue = session_->project().catalogue();
   const auto refuse = [&](const QString& why, const QString& other, const QString& picture) {
     details_->keepUnsaved(field, value);
@@ -102,23 +102,19 @@ void CatalogueScreen::keepField(const QString& field, const QString& value,
   const records::FieldChange change{details_->sherd(), field.toStdString(), value.toStdString(),
                                     confirmation};
   details_->forgetUnsaved(field);
-  if (field == "place") return move(value, confirmation);
   const QString why = edits_->change(tr("change %1").arg(fieldLabel(change.field)), {change});
   complain(why);
   if (!why.isEmpty()) details_->keepUnsaved(field, value);
 }
 
-void CatalogueScreen::move(const QString& to, records::Confirmation confirmation) {
+void CatalogueScreen::move(const QStringList& place) {
   const store::SherdRow sherd = details_->sherd();
-  const QStringList place = to.split('\n');
   std::vector<records::FieldChange> wanted;
   const char* fields[] = {"site", "trench", "context"};
   for (int i = 0; i < 3 && i < place.size(); ++i)
     wanted.push_back({sherd, fields[i], place[i].toStdString()});
   const auto move = intake::moveOf(session_->project().catalogue(), wanted);
   if (!move) return complain(sentenceOf(move.error()));
-  if (move->without_bag > 0 && confirmation == records::Confirmation::None)
-    return details_->ask("place", to, leftBehindWords(*move), tr("Move without bag"));
   const QString why =
       edits_->change(tr("move to another context"), move->changes, leftBehindWords(*move));
   if (!why.isEmpty()) complain(why);

@@ -69,7 +69,7 @@ class CatalogueScreen final : public Screen {
   void saveField(const QString& field, const QString& value);
   void keepField(const QString& field, const QString& value,
                  records::Confirmation confirmation = records::Confirmation::None);
-  void move(const QString& place, records::Confirmation confirmation);
+  void move(const QStringList& place);
   void changeAll(const std::vector<records::FieldChange>& changes);
   void giveNumbers();
   void openImport();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "base/parallel.h"
@@ -52,8 +53,22 @@ std::vector<cv::Rect> boxesOf(const cv::Mat1b& groups) {
   return boxes;
 }
 
+constexpr uchar kPlatesEdge = 128;  // in ColourView::beyond, as onEdges leaves it
+
+// Marks the cells beyond the plate that lie next to it.
+void onEdges(cv::Mat1b& beyond) {
+  cv::Mat1b far;
+  cv::erode(beyond, far, cv::Mat());
+  beyond = beyond.clone();
+  beyond.setTo(kPlatesEdge, beyond & ~far);
+}
+
 bool isBeyond(const ColourView& view, int y, int x) {
-  return !view.beyond.empty() && view.beyond(y, x) != 0;
+  return !view.beyond.empty() && view.beyond(y, x) > kPlatesEdge;
+}
+
+bool isPlate(const ColourView& view, int y, int x) {
+  return view.beyond.empty() || view.beyond(y, x) == 0;
 }
 
 // log P(colour | sherd) / P(colour | plate), from pixels weighted by how likely they are either.
@@ -65,7 +80,7 @@ void learn(std::span<const ColourView> views, const std::vector<std::vector<cv::
   ColourHistogram ground;
   for (std::size_t v = 0; v < views.size(); ++v)
     overGroup(views[v], group, boxes[v][group], reduction, [&](int y, int x) {
-      if (isBeyond(views[v], y / reduction, x / reduction)) return;
+      if (!isPlate(views[v], y / reduction, x / reduction)) return;
       const int bin = ColourHistogram::bin(kLogs(views[v].photograph.at<cv::Vec3b>(y, x)));
       const float odds = (*views[v].log_odds)(y, x) + ratio[bin];
       const float share = 1 / (1 + std::exp(-odds));
@@ -88,7 +103,7 @@ ColourHistogram coloursBeyond(const ColourView& view, int reduction) {
   ColourHistogram beyond;
   for (int y = 0; y < view.beyond.rows; ++y)
     for (int x = 0; x < view.beyond.cols; ++x)
-      if (view.beyond(y, x) != 0 && view.group(y, x) == 0)
+      if (isBeyond(view, y, x) && view.group(y, x) == 0)
         beyond.add(ColourHistogram::bin(kLogs(view.photograph.at<cv::Vec3b>(
             y * reduction + reduction / 2, x * reduction + reduction / 2))));
   beyond.finish();
@@ -107,9 +122,9 @@ void sharpenGroup(std::span<const ColourView> views, std::span<const ColourHisto
     overGroup(views[v], group, boxes[v][group], reduction, [&](int y, int x) {
       const int bin = ColourHistogram::bin(kLogs(views[v].photograph.at<cv::Vec3b>(y, x)));
       float& odds = (*views[v].log_odds)(y, x);
-      if (!isBeyond(views[v], y / reduction, x / reduction))
+      if (isPlate(views[v], y / reduction, x / reduction))
         odds += ratio[bin];
-      else if (known)
+      else if (known && isBeyond(views[v], y / reduction, x / reduction))
         odds += std::clamp(std::log(sherd.density(bin) / beyond[v].density(bin)), -kMostOdds,
                            kMostOdds);
     });
@@ -167,9 +182,13 @@ float ColourHistogram::density(int bin) const {
   return total_ > 0 ? counts_[bin] / total_ + 1e-4F : 1e-4F;
 }
 
-void sharpenByColours(std::span<const ColourView> views, int reduction, int threads) {
+void sharpenByColours(std::span<const ColourView> of_side, int reduction, int threads) {
+  std::vector<ColourView> views(of_side.begin(), of_side.end());
   std::vector<std::vector<cv::Rect>> boxes;
-  for (const ColourView& view : views) boxes.push_back(boxesOf(view.group));
+  for (ColourView& view : views) {
+    boxes.push_back(boxesOf(view.group));
+    if (!view.beyond.empty()) onEdges(view.beyond);
+  }
   std::vector<ColourHistogram> beyond(views.size());
   parallelFor(views.size(), threads,
               [&](std::size_t v) { beyond[v] = coloursBeyond(views[v], reduction); });

@@ -12,8 +12,18 @@ constexpr float kUnlike = 0.22F;     // density of a sherd's residual, as in wei
 constexpr float kFooled = 0.03F;     // how often an open line of sight is none: hull and pose err
 constexpr float kMostAgreement = 6;  // a pair may be fooled by a colour that repeats
 
-// What another camera sees of a plate point; false where it is no witness: out of its picture, or
-// behind what may be a sherd, whose even colour would agree with itself.
+uchar atCell(const cv::Mat1b& reduced, int y, int x, int reduction) {
+  return reduced(std::min(y / reduction, reduced.rows - 1),
+                 std::min(x / reduction, reduced.cols - 1));
+}
+
+bool knowsPlate(const PlateView& view, int y, int x) {
+  return view.plate == nullptr || atCell(*view.plate, y, x, view.reduction) != 0;
+}
+
+// What another camera sees of a plate point; false where it is no witness: out of its picture,
+// where the plate is not known, or behind what may be a sherd, whose even colour would agree with
+// itself.
 bool witness(const PlateView& other, const Eigen::Vector3d& p_plate, cv::Vec3f& value) {
   const Eigen::Vector3d q = other.image->camera_from_plate * p_plate;
   if (q.z() <= 0) return false;
@@ -22,9 +32,7 @@ bool witness(const PlateView& other, const Eigen::Vector3d& p_plate, cv::Vec3f& 
   const int x = static_cast<int>(std::floor(pixel.x())),
             y = static_cast<int>(std::floor(pixel.y()));
   if (x < 0 || y < 0 || x + 1 >= residual.cols || y + 1 >= residual.rows) return false;
-  const int column = std::min(x / other.reduction, other.hull->cols - 1);
-  const int row = std::min(y / other.reduction, other.hull->rows - 1);
-  if ((*other.hull)(row, column) != 0) return false;
+  if (atCell(*other.hull, y, x, other.reduction) != 0 || !knowsPlate(other, y, x)) return false;
   const auto u = static_cast<float>(pixel.x() - x), v = static_cast<float>(pixel.y() - y);
   value = (residual(y, x) * (1 - u) + residual(y, x + 1) * u) * (1 - v) +
           (residual(y + 1, x) * (1 - u) + residual(y + 1, x + 1) * u) * v;
@@ -68,7 +76,7 @@ void weighAgreement(const PlateView& view, std::span<const PlateView> others,
   const cv::Mat2f plate = ground::gridOfPixels(*view.image, millimetres, view.bend);
   for (int y = 0; y < log_odds.rows; ++y)
     for (int x = 0; x < log_odds.cols; ++x) {
-      if (allowed(y, x) == 0) continue;
+      if (allowed(y, x) == 0 || !knowsPlate(view, y, x)) continue;
       const cv::Vec3f own = (*view.residual)(y, x);
       const cv::Vec2f p = plate(y, x);
       if (!bare_at(p[0], p[1])) continue;

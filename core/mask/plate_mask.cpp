@@ -398,14 +398,9 @@ class PlateMasker {
   }
 
   void askOthers(std::size_t index) {
+    const auto bare = [this](double x, double y) { return hull::bareAt(space_, voxels_, {x, y}); };
     ViewState& view = views_[index];
-    weighAgreement(
-        {&images_[index], &view.residual, &view.group, hull_.reduction, options_.bend},
-        beside(index),
-        [this](double x, double y) {
-          return hull::bareAt(space_, voxels_, {x, y});
-        },
-        view.allowed, view.log_odds);
+    weighAgreement(plateViewOf(index), beside(index), bare, view.allowed, view.log_odds);
   }
 
   void learnColours() {
@@ -414,8 +409,8 @@ class PlateMasker {
       cv::Mat1b grown;
       cv::dilate(views_[i].group, grown, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
       views_[i].group.copyTo(grown, views_[i].group != 0);
-      const cv::Mat1b beyond = plate_.sheet ? cv::Mat1b(views_[i].plate == 0) : cv::Mat1b();
-      views.push_back({photographs_[i], grown, views_[i].depth >= 3 * space_.pitch, beyond,
+      const cv::Mat1b unknown = plate_.sheet ? cv::Mat1b(views_[i].plate == 0) : cv::Mat1b();
+      views.push_back({photographs_[i], grown, views_[i].depth >= 3 * space_.pitch, unknown,
                        &views_[i].log_odds});
     }
     sharpenByColours(views, hull_.reduction, options_.threads);
@@ -458,8 +453,14 @@ class PlateMasker {
     for (std::size_t i = 0; i < images_.size(); ++i)
       if (i != index && images_[i].stop == images_[index].stop &&
           (plate_.sheet || images_[i].camera != images_[index].camera))
-        others.push_back({&images_[i], &views_[i].residual, &views_[i].group, hull_.reduction});
+        others.push_back(plateViewOf(i));
     return others;
+  }
+
+  PlateView plateViewOf(std::size_t i) const {
+    const ViewState& view = views_[i];
+    return {&images_[i],     &view.residual, &view.group,
+            hull_.reduction, options_.bend,  plate_.sheet ? &view.plate : nullptr};
   }
 
   std::span<const rig::PosedImage> images_;

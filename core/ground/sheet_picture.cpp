@@ -439,6 +439,15 @@ cv::Mat3f predictBareSheet(const SheetPicture& picture, std::size_t index, const
   return bare;
 }
 
+cv::Mat1b inkBehind(const cv::Mat1f& printed, const cv::Mat2f& grid_of_pixel) {
+  cv::Mat1f paper;
+  cv::remap(printed, paper, grid_of_pixel, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_CONSTANT,
+            cv::Scalar::all(-1));
+  cv::Mat1b ink;
+  cv::inRange(paper, 0, 0.5, ink);
+  return ink;
+}
+
 cv::Mat1f seenBare(const SheetPicture& picture, const cv::Mat3f& residual,
                    const cv::Mat2f& grid_of_pixel) {
   cv::Mat1f bare(residual.size(), 0.F);

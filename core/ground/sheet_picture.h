@@ -50,6 +50,10 @@ SheetPicture buildSheetPicture(std::span<const cv::Mat3b> samples, const cv::Mat
 cv::Mat3f predictBareSheet(const SheetPicture& picture, std::size_t index, const cv::Mat1f& printed,
                            const cv::Mat2f& grid_of_pixel, cv::Mat1b& known);
 
+/// Where a photograph would show the sheet's ink: 255 where less than half of what is printed
+/// behind the pixel is paper.
+cv::Mat1b inkBehind(const cv::Mat1f& printed, const cv::Mat2f& grid_of_pixel);
+
 /// How surely a photograph sees the bare sheet where others do (SheetPicture::witnessed), 0..1, by
 /// its residual against predictBareSheet. Grain, by which clay is told from even plates, says
 /// nothing there: the darker paper lies, the more a sensor's noise looks like it.

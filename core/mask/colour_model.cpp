@@ -71,30 +71,39 @@ bool isPlate(const ColourView& view, int y, int x) {
   return view.beyond.empty() || view.beyond(y, x) == 0;
 }
 
-// log P(colour | sherd) / P(colour | plate), from pixels weighted by how likely they are either.
+// log P(colour | sherd) / P(colour | plate), before plain plate and before its ink.
+using Ratios = std::array<std::vector<float>, 2>;
+
+std::size_t groundOf(const ColourView& view, int y, int x) {
+  return !view.ink.empty() && view.ink(y, x) != 0 ? 1 : 0;
+}
+
+// From pixels weighted by how likely they are either.
 void learn(std::span<const ColourView> views, const std::vector<std::vector<cv::Rect>>& boxes,
-           int group, int reduction, bool certain_only, std::vector<float>& ratio,
-           ColourHistogram& sherd) {
+           int group, int reduction, bool certain_only, Ratios& ratios, ColourHistogram& sherd) {
   static const LogTable kLogs;
   sherd = ColourHistogram();
-  ColourHistogram ground;
+  std::array<ColourHistogram, 2> grounds;
   for (std::size_t v = 0; v < views.size(); ++v)
     overGroup(views[v], group, boxes[v][group], reduction, [&](int y, int x) {
       if (!isPlate(views[v], y / reduction, x / reduction)) return;
       const int bin = ColourHistogram::bin(kLogs(views[v].photograph.at<cv::Vec3b>(y, x)));
-      const float odds = (*views[v].log_odds)(y, x) + ratio[bin];
+      const std::size_t ground = groundOf(views[v], y, x);
+      const float odds = (*views[v].log_odds)(y, x) + ratios[ground][bin];
       const float share = 1 / (1 + std::exp(-odds));
       if (certain_only && std::abs(odds) < kDoubt) return;
       if (views[v].core(y / reduction, x / reduction) != 0) sherd.add(bin, share);
-      ground.add(bin, 1 - share);
+      grounds[ground].add(bin, 1 - share);
     });
-  ground.addShadows(kShadows);
   sherd.finish();
-  ground.finish();
-  if (sherd.total() < kFewest || ground.total() < kFewest) return;
-  for (int bin = 0; bin < ColourHistogram::bins(); ++bin)
-    ratio[bin] =
-        std::clamp(std::log(sherd.density(bin) / ground.density(bin)), -kMostOdds, kMostOdds);
+  for (std::size_t g = 0; g < grounds.size(); ++g) {
+    grounds[g].addShadows(kShadows);
+    grounds[g].finish();
+    if (sherd.total() < kFewest || grounds[g].total() < kFewest) continue;
+    for (int bin = 0; bin < ColourHistogram::bins(); ++bin)
+      ratios[g][bin] =
+          std::clamp(std::log(sherd.density(bin) / grounds[g].density(bin)), -kMostOdds, kMostOdds);
+  }
 }
 
 // What one photograph shows beyond the plate and beside all hulls.
@@ -113,17 +122,18 @@ ColourHistogram coloursBeyond(const ColourView& view, int reduction) {
 void sharpenGroup(std::span<const ColourView> views, std::span<const ColourHistogram> beyond,
                   const std::vector<std::vector<cv::Rect>>& boxes, int group, int reduction) {
   static const LogTable kLogs;
-  std::vector<float> ratio(static_cast<std::size_t>(ColourHistogram::bins()), 0.F);
+  Ratios ratios;
+  ratios.fill(std::vector<float>(static_cast<std::size_t>(ColourHistogram::bins()), 0.F));
   ColourHistogram sherd;
   for (int round = 0; round < kLearningRounds; ++round)
-    learn(views, boxes, group, reduction, round == 0, ratio, sherd);
+    learn(views, boxes, group, reduction, round == 0, ratios, sherd);
   for (std::size_t v = 0; v < views.size(); ++v) {
     const bool known = sherd.total() >= kFewest && beyond[v].total() >= kFewest;
     overGroup(views[v], group, boxes[v][group], reduction, [&](int y, int x) {
       const int bin = ColourHistogram::bin(kLogs(views[v].photograph.at<cv::Vec3b>(y, x)));
       float& odds = (*views[v].log_odds)(y, x);
       if (isPlate(views[v], y / reduction, x / reduction))
-        odds += ratio[bin];
+        odds += ratios[groundOf(views[v], y, x)][bin];
       else if (known && isBeyond(views[v], y / reduction, x / reduction))
         odds += std::clamp(std::log(sherd.density(bin) / beyond[v].density(bin)), -kMostOdds,
                            kMostOdds);

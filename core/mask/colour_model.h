@@ -30,6 +30,7 @@ struct ColourView {
   cv::Mat1b group;     ///< reduced: which group of sherds shows here, 0 = none
   cv::Mat1b core;      ///< reduced: 255 where the hull is deep, so that hardly plate shows
   cv::Mat1b beyond;    ///< reduced: 255 where no plate is known; empty where one lies everywhere
+  cv::Mat1b ink;       ///< 255 before the plate's ink; empty where it is plain
   cv::Mat1f* log_odds = nullptr;  ///< in and out
 };
 
@@ -40,7 +41,8 @@ struct ColourView {
 /// is learnt in the hull's core only, since along its foot the contact shadow lies within the hull.
 /// Before what lies beyond the plate, of which nothing else is known, the colours of the same
 /// photograph that lie there beside all hulls stand in for the plate's. In the cells along the
-/// plate's edge either may lie behind a pixel, and colours say nothing.
+/// plate's edge either may lie behind a pixel, and colours say nothing. Ink has colours of its own,
+/// learnt apart: before it, darkness is no sign of a dark sherd.
 void sharpenByColours(std::span<const ColourView> views, int reduction, int threads);
 
 }  // namespace ostraka::mask

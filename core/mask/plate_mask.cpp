@@ -180,6 +180,7 @@ class PlateMasker {
       evidence.log_odds.setTo(0, ~certain);
       evidence.clear.setTo(0, ~certain);
       ViewState& view = views_[i];
+      view.ink = ground::inkBehind(*printed, grid_of_pixel);
       view.residual = evidence.residual;
       view.log_odds = evidence.log_odds;
       view.hull = reduced(i, evidence);
@@ -411,7 +412,7 @@ class PlateMasker {
       views_[i].group.copyTo(grown, views_[i].group != 0);
       const cv::Mat1b unknown = plate_.sheet ? cv::Mat1b(views_[i].plate == 0) : cv::Mat1b();
       views.push_back({photographs_[i], grown, views_[i].depth >= 3 * space_.pitch, unknown,
-                       &views_[i].log_odds});
+                       views_[i].ink, &views_[i].log_odds});
     }
     sharpenByColours(views, hull_.reduction, options_.threads);
   }

@@ -18,6 +18,7 @@ struct ViewState {
   cv::Mat1f below;        ///< reduced: voxels from the floor up to the hull that it shows
   cv::Mat1b allowed;      ///< where a sherd may be
   cv::Mat1b plate;        ///< reduced: the plate inside the markers
+  cv::Mat1b ink;          ///< 255 before a printed sheet's ink; empty before other plates
 };
 
 /// What maskByPlate's passes over a photograph take, as parts of one another: against the bare

@@ -73,6 +73,18 @@ TEST(PrintedSheet, IsWhitePaperWithBlackMarkersAndNothingBeyondItsEdge) {
   EXPECT_LT((*printed)(cellOf(62, 0)), 0);
 }
 
+TEST(PrintedSheet, ShowsInkInFrontOfItsMarkersAlone) {
+  const auto printed = printedSheet(smallSheet(), sheetGrid());
+  ASSERT_TRUE(printed);
+  const cv::Point corner = cellOf(-49, 29), paper = cellOf(20, 0);  // a marker's border is black
+  const cv::Mat2f cells = (cv::Mat2f(1, 3) << cv::Vec2f(corner.x, corner.y),
+                           cv::Vec2f(paper.x, paper.y), cv::Vec2f(-50, -50));
+  const cv::Mat1b ink = inkBehind(*printed, cells);
+  EXPECT_EQ(ink(0, 0), 255);
+  EXPECT_EQ(ink(0, 1), 0);
+  EXPECT_EQ(ink(0, 2), 0) << "beyond the sheet";
+}
+
 TEST(SheetPicture, KnowsLightAndExposureThoughSherdsCoverAThirdOfTheSheet) {
   const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
   std::mt19937 random(1);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -30,7 +31,7 @@ struct Sides {
     log_odds[2](cv::Rect(5, 5, 20, 20)) = -1.F;  // the third photograph is in doubt of the patch
     for (int k = 0; k < 3; ++k)
       views.push_back({photographs[k], cv::Mat1b(20, 20, uchar{1}), cv::Mat1b(20, 20, uchar{255}),
-                       cv::Mat1b(), &log_odds[k]});
+                       cv::Mat1b(), cv::Mat1b(), &log_odds[k]});
   }
 };
 
@@ -70,6 +71,35 @@ TEST(ColourModel, BeforeWhatLiesBeyondThePlateThatPhotographsOwnColoursCount) {
     EXPECT_GT(odds(20, 50), 1);
     EXPECT_LT(odds(60, 50), -1);
     EXPECT_EQ(odds(60, 70), 0) << "beside the hull nothing is asked";
+    EXPECT_EQ(odds(20, 41), 0) << "in the cells along the plate's edge colours say nothing";
+  }
+}
+
+// A plate with black ink in its lower half, seen to the right of a dark sherd. The evidence is in
+// doubt of two places: of ink, and of the sherd.
+TEST(ColourModel, BeforeInkDarknessIsNoSignOfADarkSherd) {
+  for (const bool known : {false, true}) {
+    Sides sides;
+    for (int k = 0; k < 3; ++k) {
+      sides.photographs[k].colRange(0, 40) = cv::Scalar(30, 30, 34);
+      sides.photographs[k](cv::Rect(40, 40, 40, 40)) = cv::Scalar(30, 30, 34);
+      sides.photographs[k](cv::Rect(48, 52, 4, 4)) = cv::Scalar(110, 110, 110);  // paper in the ink
+      sides.log_odds[k] = 6.F;
+      sides.log_odds[k].colRange(40, 80) = -6.F;
+      sides.log_odds[k](cv::Rect(60, 60, 8, 8)) = 0.F;
+      sides.log_odds[k](cv::Rect(20, 60, 8, 8)) = 0.F;
+      if (!known) continue;
+      sides.views[k].ink = cv::Mat1b(80, 80, uchar{0});
+      sides.views[k].ink(cv::Rect(40, 40, 40, 40)) = uchar{255};
+    }
+    sharpenByColours(sides.views, 4, 1);
+    for (const cv::Mat1f& odds : sides.log_odds) {
+      EXPECT_GT(odds(64, 24), known ? 2 : -1) << "before paper a dark place is the sherd's";
+      if (known) {
+        EXPECT_NEAR(odds(64, 64), std::log(1.3), 0.1)
+            << "the sherd's colour as often; kShadows of ink more below it";
+      }
+    }
   }
 }
 

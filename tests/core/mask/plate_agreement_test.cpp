@@ -62,6 +62,22 @@ TEST(PlateAgreement, ACameraThatMaySeeASherdInsteadIsNoWitness) {
   EXPECT_EQ(pair.weigh(true), 1);
 }
 
+TEST(PlateAgreement, SaysNothingWhereEitherPhotographDoesNotKnowThePlate) {
+  const cv::Mat1b known(7, 10, uchar{255}), unknown(7, 10, uchar{0});
+  const auto weighed = [](const cv::Mat1b* own_plate, const cv::Mat1b* other_plate) {
+    Pair pair;
+    const std::array<PlateView, 1> others{
+        PlateView{&pair.other, &pair.other_residual, &pair.other_hull, 4, {}, other_plate}};
+    weighAgreement(
+        {&pair.own, &pair.own_residual, &pair.own_hull, 4, {}, own_plate}, others,
+        [](double, double) { return true; }, pair.allowed, pair.log_odds);
+    return pair.log_odds(15, 20);
+  };
+  EXPECT_EQ(weighed(&unknown, &known), 1);
+  EXPECT_EQ(weighed(&known, &unknown), 1);
+  EXPECT_EQ(weighed(&known, &known), Pair().weigh(true));
+}
+
 TEST(PlateAgreement, SaysNothingWhereASherdMayStand) {
   EXPECT_EQ(Pair().weigh(false), 1);
 }

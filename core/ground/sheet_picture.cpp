@@ -24,6 +24,7 @@ constexpr int kFewestWitnesses = 4;
 constexpr double kSomeAgree = 0.2;  // of the photographs that see a place; others look past a sherd
 constexpr double kMostAgree = 0.5;  // where noise and the grain of dark clay are hard to tell apart
 constexpr float kDark = -0.9F;
+constexpr int kByChance = 2;  // photographs that see the same, each another white part of a thing
 constexpr int kShadeWindow = 5;  // of half the cells: 3 mm
 // The least share of a shadow's border along which the photographs agree on bright sheet: 0.3 to 1
 // by all lamps tried, less than 0.1 around even clay.
@@ -254,6 +255,32 @@ class SheetPainter {
         if (brightnessOfRest(shades(row / 2, column / 2)) < -kStain.brightness)
           picture_.shade(row, column) = picture_.witnessed(row, column);
       }
+    picture_.standing = standing(rests, counts, agreed);
+  }
+
+  // Plain paper that many look at and of whom no three see the same there: they look at something
+  // before it, each at another part of it. Below what overhangs, those from low down do agree.
+  // Photographs were compared over a window, so the place is too large by half of one all around,
+  // and where a shadow ends as narrow as one.
+  cv::Mat1b standing(const std::vector<SheetRest>& rests, const std::vector<cv::Mat1b>& counts,
+                     const cv::Mat1f& agreed) const {
+    cv::Mat1b stands(agreed.size(), uchar{0});
+    for (int row = 0; row < stands.rows; ++row)
+      for (int column = 0; column < stands.cols; ++column) {
+        if (agreed(row, column) > 0 || paper_(2 * row, 2 * column) == 0) continue;
+        int seen = 0, agreeing = 0;
+        for (std::size_t i = 0; i < rests.size(); ++i) {
+          if (!isKnown(rests[i](row, column))) continue;
+          ++seen;
+          agreeing = std::max(agreeing, counts[i](row, column) + 1);
+        }
+        if (seen >= kFewestWitnesses && agreeing <= kByChance) stands(row, column) = 255;
+      }
+    cv::erode(stands, stands,
+              cv::getStructuringElement(cv::MORPH_RECT, {kShadeWindow, kShadeWindow}));
+    cv::Mat1b whole;
+    cv::resize(stands, whole, printed_.size(), 0, 0, cv::INTER_NEAREST);
+    return whole;
   }
 
   // Even clay is as dark in every photograph, but its outline stands above the sheet, and around it
@@ -446,6 +473,14 @@ cv::Mat1b inkBehind(const cv::Mat1f& printed, const cv::Mat2f& grid_of_pixel) {
   cv::Mat1b ink;
   cv::inRange(paper, 0, 0.5, ink);
   return ink;
+}
+
+cv::Mat1b somethingStands(const SheetPicture& picture, const cv::Mat2f& grid_of_pixel) {
+  cv::Mat1b stands(grid_of_pixel.size(), uchar{0});
+  if (!picture.standing.empty())
+    cv::remap(picture.standing, stands, grid_of_pixel, cv::noArray(), cv::INTER_NEAREST,
+              cv::BORDER_CONSTANT, cv::Scalar::all(0));
+  return stands;
 }
 
 cv::Mat1f seenBare(const SheetPicture& picture, const cv::Mat3f& residual,

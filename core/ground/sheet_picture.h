@@ -32,6 +32,9 @@ struct SheetPicture {
   /// bare, lit or in a shadow that lasts. Empty where light does not stand still.
   cv::Mat1b witnessed;
   cv::Mat1b shade;  ///< of these the ones that lie in a shadow; empty likewise
+  /// Grid; 255 where something stands: plain paper at which enough photographs look and of which
+  /// too few see the same. Empty likewise.
+  cv::Mat1b standing;
   /// Whether light and shade stand still on the sheet from photograph to photograph, as they do
   /// when the camera moves; with a camera at rest over a sheet that is turned they do not.
   bool still_light = true;
@@ -53,6 +56,10 @@ cv::Mat3f predictBareSheet(const SheetPicture& picture, std::size_t index, const
 /// Where a photograph would show the sheet's ink: 255 where less than half of what is printed
 /// behind the pixel is paper.
 cv::Mat1b inkBehind(const cv::Mat1f& printed, const cv::Mat2f& grid_of_pixel);
+
+/// Where a photograph looks at a place of the sheet on which something stands (SheetPicture), 255;
+/// the thing shows there, or what hides its foot, whatever its colour.
+cv::Mat1b somethingStands(const SheetPicture& picture, const cv::Mat2f& grid_of_pixel);
 
 /// How surely a photograph sees the bare sheet where others do (SheetPicture::witnessed), 0..1, by
 /// its residual against predictBareSheet. Grain, by which clay is told from even plates, says

@@ -32,6 +32,7 @@ namespace {
 
 constexpr float kMisplaced_px = 0.5F;  // poses: a few tenths; the mosaic's cells are 1.4 px wide
 constexpr double kBareOdds = 6;  // log odds against a sherd where others see the same bare sheet
+constexpr double kStandingOdds = 3;        // for a thing (docs/experiments.md)
 constexpr double kInsideOverTable = 0.35;  // of the photographs that see a voxel
 constexpr double kCarvingShare = 0.15;     // of the photographs; some see a shadow as sherd
 constexpr double kStripVoxels = 3;         // +-50 %: IoU +-0.0007 (docs/experiments.md)
@@ -122,9 +123,7 @@ class PlateMasker {
       const ResidualNoise noise = measureNoise(residual, bare, kMisplaced_px, inside);
       const Evidence evidence = weighEvidence(residual, bare, noise, kMisplaced_px);
       ViewState& view = views_[members[k]];
-      view.residual = evidence.residual;
-      view.log_odds = evidence.log_odds;
-      view.hull = reduced(members[k], evidence);
+      keep(members[k], evidence);
       cv::resize(inside, view.plate, view.hull.clear.size(), 0, 0, cv::INTER_NEAREST);
       looks[k] = {};
       steps_->count(kWeigh);
@@ -174,6 +173,8 @@ class PlateMasker {
       depths.addTo(evidence.log_odds, residual, photographs_[i]);
       evidence.clear = cv::max(evidence.clear, seen_bare);
       evidence.log_odds -= seen_bare.mul(evidence.log_odds + kBareOdds);
+      cv::add(evidence.log_odds, kStandingOdds, evidence.log_odds,
+              ground::somethingStands(picture, grid_of_pixel));
       // Where the pixel beside is unknown the smoothing mixed both.
       cv::Mat1b certain;
       cv::erode(known, certain, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
@@ -181,9 +182,7 @@ class PlateMasker {
       evidence.clear.setTo(0, ~certain);
       ViewState& view = views_[i];
       view.ink = ground::inkBehind(*printed, grid_of_pixel);
-      view.residual = evidence.residual;
-      view.log_odds = evidence.log_odds;
-      view.hull = reduced(i, evidence);
+      keep(i, evidence);
       cv::resize(certain, view.plate, view.hull.clear.size(), 0, 0, cv::INTER_NEAREST);
       steps_->count(kWeigh);
     });
@@ -272,12 +271,13 @@ class PlateMasker {
     return {empty, static_cast<int>(at)};
   }
 
-  hull::HullView reduced(std::size_t index, const Evidence& evidence) const {
-    hull::HullView view;
-    view.image = &images_[index];
-    view.inside = insideOf(evidence.log_odds, hull_.reduction);
-    cv::resize(evidence.clear, view.clear, view.inside.size(), 0, 0, cv::INTER_AREA);
-    return view;
+  void keep(std::size_t index, const Evidence& evidence) {
+    ViewState& view = views_[index];
+    view.residual = evidence.residual;
+    view.log_odds = evidence.log_odds;
+    view.hull.image = &images_[index];
+    view.hull.inside = insideOf(evidence.log_odds, hull_.reduction);
+    cv::resize(evidence.clear, view.hull.clear, view.hull.inside.size(), 0, 0, cv::INTER_AREA);
   }
 
   bool carve(const std::stop_token& stop) {
@@ -335,8 +335,8 @@ class PlateMasker {
   }
 
   bool reachesTop() const {
-    const auto layer = static_cast<std::ptrdiff_t>(space_.count.x()) * space_.count.y();
-    return std::any_of(voxels_.end() - layer, voxels_.end(), [](auto voxel) { return voxel != 0; });
+    const auto layer = static_cast<std::size_t>(space_.count.x()) * space_.count.y();
+    return std::ranges::any_of(std::span(voxels_).last(layer), [](auto v) { return v != 0; });
   }
 
   // Where the hull shows, and a little beyond: it is as coarse as its voxels.

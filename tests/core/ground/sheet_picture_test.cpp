@@ -122,6 +122,18 @@ TEST(SheetPicture, TakesAShadowThatAllPhotographsSeeAlikeForBareSheetAndGrainyCl
   EXPECT_NEAR(picture.correction(cellOf(30, 0))[1], 0, 0.12F);
   EXPECT_NE(picture.witnessed(cellOf(-10, 30)), 0);
   EXPECT_EQ(picture.shade(cellOf(-10, 30)), 0);
+  // Clay of 24 x 24 mm stands on the sheet; photographs are compared over 5 mm around a place.
+  EXPECT_NE(picture.standing(cellOf(30, 0)), 0);
+  EXPECT_EQ(picture.standing(cellOf(30, 13)), 0) << "no wider than what stands there";
+  EXPECT_EQ(picture.standing(cellOf(-5, -15)), 0) << "a shadow";
+  EXPECT_EQ(picture.standing(cellOf(-40, 20)), 0) << "ink";
+  const cv::Point clay = cellOf(30, 0), paper = cellOf(-10, 30);
+  const cv::Mat2f cells =
+      (cv::Mat2f(1, 3) << cv::Vec2f(clay.x, clay.y), cv::Vec2f(paper.x, paper.y), cv::Vec2f(-9, 0));
+  const cv::Mat1b stands = somethingStands(picture, cells);
+  EXPECT_EQ(stands(0, 0), 255);
+  EXPECT_EQ(stands(0, 1), 0);
+  EXPECT_EQ(stands(0, 2), 0) << "beyond the sheet";
 }
 
 TEST(SheetPicture, TellsEvenBlackClayFromAShadowByItsOutlineThatStandsAboveTheSheet) {
@@ -197,6 +209,7 @@ TEST(SheetPicture, NoticesThatTheLightTurnsOverTheSheet) {
   const SheetPicture picture = buildSheetPicture(samples, printed);
   EXPECT_FALSE(picture.still_light);
   EXPECT_TRUE(picture.witnessed.empty());
+  EXPECT_EQ(somethingStands(picture, cv::Mat2f(1, 1, cv::Vec2f(90, 90)))(0, 0), 0);
 }
 
 }  // namespace

@@ -10759,6 +10759,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein anderer Ort heißt inzwischen %1; nichts wurde rückgängig gemacht.</translation>
     </message>
+    <message>
+      <source>This disk does not accept this name; rename the file, or use a folder on another disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Datenträger lässt diesen Namen nicht zu; die Datei umbenennen oder einen Ordner auf einem anderen Datenträger benutzen.</translation>
+    </message>
+    <message>
+      <source>A file of an earlier merge cannot be moved to its place, %1. Make it possible (move away what lies there, or copy the project to another disk), or delete the file; then merge again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Datei einer früheren Zusammenführung kann nicht an ihren Ort %1 verschoben werden. Dies ermöglichen (verschieben, was dort liegt, oder das Projekt auf einen anderen Datenträger kopieren) oder die Datei löschen; dann noch einmal zusammenführen.</translation>
+    </message>
+    <message>
+      <source>It belongs to a merge and waits in %1; moving it to its place is tried again whenever the project is opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datei gehört zu einer Zusammenführung und wartet in %1; bei jedem Öffnen des Projekts wird erneut versucht, sie an ihren Ort zu verschieben.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11318,9 +11333,9 @@
       <translation>Noch wurde nichts zusammengeführt: Ihre Wahl führt zu weiteren Konflikten.</translation>
     </message>
     <message>
-      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <source>An earlier merge was interrupted and could not be completed here: %1. What lies there is kept; the other project&apos;s version was left out, or waits in the folder merge.partial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine frühere Zusammenführung wurde unterbrochen, und dies wurde geändert, bevor sie beendet war: %1. Es bleibt, wie es hier ist; die Fassung des anderen Projekts wurde weggelassen.</translation>
+      <translation>Eine frühere Zusammenführung wurde unterbrochen und konnte hier nicht abgeschlossen werden: %1. Was dort liegt, bleibt erhalten; die Fassung des anderen Projekts wurde weggelassen oder wartet im Ordner merge.partial.</translation>
     </message>
 </context>
 <context>

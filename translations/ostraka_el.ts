@@ -10759,6 +10759,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Άλλος τόπος έχει πλέον το όνομα %1· τίποτα δεν αναιρέθηκε.</translation>
     </message>
+    <message>
+      <source>This disk does not accept this name; rename the file, or use a folder on another disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο δίσκος δεν δέχεται αυτό το όνομα· μετονομάστε το αρχείο ή χρησιμοποιήστε έναν φάκελο σε άλλον δίσκο.</translation>
+    </message>
+    <message>
+      <source>A file of an earlier merge cannot be moved to its place, %1. Make it possible (move away what lies there, or copy the project to another disk), or delete the file; then merge again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα αρχείο προηγούμενης συγχώνευσης δεν μπορεί να μετακινηθεί στη θέση του, %1. Κάντε το δυνατό (μετακινήστε ό,τι βρίσκεται εκεί ή αντιγράψτε το έργο σε άλλον δίσκο) ή διαγράψτε το αρχείο· έπειτα συγχωνεύστε ξανά.</translation>
+    </message>
+    <message>
+      <source>It belongs to a merge and waits in %1; moving it to its place is tried again whenever the project is opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο ανήκει σε μια συγχώνευση και περιμένει στο %1· η μετακίνησή του στη θέση του δοκιμάζεται ξανά κάθε φορά που ανοίγει το έργο.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11318,9 +11333,9 @@
       <translation>Δεν συγχωνεύθηκε ακόμη τίποτα: οι επιλογές σας οδηγούν σε άλλες διαφωνίες.</translation>
     </message>
     <message>
-      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <source>An earlier merge was interrupted and could not be completed here: %1. What lies there is kept; the other project&apos;s version was left out, or waits in the folder merge.partial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μια προηγούμενη συγχώνευση διακόπηκε, και αυτό άλλαξε πριν ολοκληρωθεί: %1. Μένει όπως είναι εδώ· η εκδοχή του άλλου έργου δεν μεταφέρθηκε.</translation>
+      <translation>Μια προηγούμενη συγχώνευση διακόπηκε και δεν μπόρεσε να ολοκληρωθεί εδώ: %1. Ό,τι βρίσκεται εκεί διατηρείται· η εκδοχή του άλλου έργου παραλείφθηκε ή περιμένει στον φάκελο merge.partial.</translation>
     </message>
 </context>
 <context>

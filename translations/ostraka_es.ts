@@ -10759,6 +10759,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro lugar se llama ya %1; no se ha deshecho nada.</translation>
     </message>
+    <message>
+      <source>This disk does not accept this name; rename the file, or use a folder on another disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este disco no admite este nombre; cambie el nombre del archivo o use una carpeta de otro disco.</translation>
+    </message>
+    <message>
+      <source>A file of an earlier merge cannot be moved to its place, %1. Make it possible (move away what lies there, or copy the project to another disk), or delete the file; then merge again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un archivo de una unión anterior no puede moverse a su lugar, %1. Haga que sea posible (aparte lo que hay allí o copie el proyecto a otro disco) o elimine el archivo; después, una de nuevo.</translation>
+    </message>
+    <message>
+      <source>It belongs to a merge and waits in %1; moving it to its place is tried again whenever the project is opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo pertenece a una unión y espera en %1; cada vez que se abre el proyecto se intenta de nuevo moverlo a su lugar.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11318,9 +11333,9 @@
       <translation>Aún no se unió nada: lo que eligió lleva a otros conflictos.</translation>
     </message>
     <message>
-      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <source>An earlier merge was interrupted and could not be completed here: %1. What lies there is kept; the other project&apos;s version was left out, or waits in the folder merge.partial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una fusión anterior se interrumpió, y esto se cambió antes de que terminara: %1. Se conserva como está aquí; la versión del otro proyecto se dejó fuera.</translation>
+      <translation>Una unión anterior se interrumpió y no pudo completarse aquí: %1. Lo que hay allí se conserva; la versión del otro proyecto se omitió o espera en la carpeta merge.partial.</translation>
     </message>
 </context>
 <context>

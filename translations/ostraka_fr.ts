@@ -10759,6 +10759,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un autre lieu porte désormais le nom %1 ; rien n’a été annulé.</translation>
     </message>
+    <message>
+      <source>This disk does not accept this name; rename the file, or use a folder on another disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce disque n’accepte pas ce nom ; renommez le fichier, ou utilisez un dossier sur un autre disque.</translation>
+    </message>
+    <message>
+      <source>A file of an earlier merge cannot be moved to its place, %1. Make it possible (move away what lies there, or copy the project to another disk), or delete the file; then merge again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un fichier d’une fusion précédente ne peut pas être déplacé à son emplacement, %1. Rendez-le possible (déplacez ce qui s’y trouve, ou copiez le projet sur un autre disque), ou supprimez le fichier ; puis fusionnez de nouveau.</translation>
+    </message>
+    <message>
+      <source>It belongs to a merge and waits in %1; moving it to its place is tried again whenever the project is opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier appartient à une fusion et attend dans %1 ; à chaque ouverture du projet, son déplacement vers son emplacement est tenté de nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11318,9 +11333,9 @@
       <translation>Rien n’est encore fusionné : vos choix entraînent d’autres conflits.</translation>
     </message>
     <message>
-      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <source>An earlier merge was interrupted and could not be completed here: %1. What lies there is kept; the other project&apos;s version was left out, or waits in the folder merge.partial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une fusion antérieure a été interrompue, et ceci a été modifié avant sa fin : %1. La version d’ici est gardée ; celle de l’autre projet a été laissée de côté.</translation>
+      <translation>Une fusion précédente a été interrompue et n’a pas pu être achevée ici : %1. Ce qui s’y trouve est conservé ; la version de l’autre projet a été omise, ou attend dans le dossier merge.partial.</translation>
     </message>
 </context>
 <context>

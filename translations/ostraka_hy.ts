@@ -10759,6 +10759,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այժմ մեկ այլ տեղ ունի %1 անունը. ոչինչ չի հետարկվել։</translation>
     </message>
+    <message>
+      <source>This disk does not accept this name; rename the file, or use a folder on another disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս սկավառակը չի ընդունում այս անունը. վերանվանեք ֆայլը կամ օգտագործեք այլ սկավառակի պանակ։</translation>
+    </message>
+    <message>
+      <source>A file of an earlier merge cannot be moved to its place, %1. Make it possible (move away what lies there, or copy the project to another disk), or delete the file; then merge again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախորդ միավորման ֆայլը չի կարող տեղափոխվել իր տեղը՝ %1։ Հնարավոր դարձրեք դա (հեռացրեք այնտեղ եղածը կամ պատճենեք նախագիծը այլ սկավառակի վրա) կամ ջնջեք ֆայլը, ապա կրկին միավորեք։</translation>
+    </message>
+    <message>
+      <source>It belongs to a merge and waits in %1; moving it to its place is tried again whenever the project is opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլը պատկանում է միավորմանը և սպասում է %1-ում. նախագիծը բացելիս ամեն անգամ կրկին փորձվում է այն տեղափոխել իր տեղը։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11318,9 +11333,9 @@
       <translation>Դեռ ոչինչ չի միավորվել. ձեր ընտրածը հանգեցնում է նոր հակասությունների։</translation>
     </message>
     <message>
-      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <source>An earlier merge was interrupted and could not be completed here: %1. What lies there is kept; the other project&apos;s version was left out, or waits in the folder merge.partial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նախորդ միավորումն ընդհատվել է, և մինչև դրա ավարտը սա փոխվել է. %1։ Պահվել է այնպես, ինչպես այստեղ է. մյուս նախագծի տարբերակը չի վերցվել։</translation>
+      <translation>Նախորդ միավորումն ընդհատվել է և այստեղ չի կարողացել ավարտվել՝ %1։ Այնտեղ եղածը պահպանվում է. մյուս նախագծի տարբերակը բաց է թողնվել կամ սպասում է merge.partial պանակում։</translation>
     </message>
 </context>
 <context>

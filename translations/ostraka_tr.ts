@@ -10707,6 +10707,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu arada başka bir yerin adı %1 oldu; hiçbir şey geri alınmadı.</translation>
     </message>
+    <message>
+      <source>This disk does not accept this name; rename the file, or use a folder on another disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu disk bu adı kabul etmiyor; dosyayı yeniden adlandırın ya da başka bir diskteki bir klasörü kullanın.</translation>
+    </message>
+    <message>
+      <source>A file of an earlier merge cannot be moved to its place, %1. Make it possible (move away what lies there, or copy the project to another disk), or delete the file; then merge again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önceki bir birleştirmenin dosyası yerine, %1, taşınamıyor. Bunu olanaklı kılın (orada bulunanı başka yere taşıyın ya da projeyi başka bir diske kopyalayın) ya da dosyayı silin; sonra yeniden birleştirin.</translation>
+    </message>
+    <message>
+      <source>It belongs to a merge and waits in %1; moving it to its place is tried again whenever the project is opened.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dosya bir birleştirmeye aittir ve %1 içinde bekliyor; proje her açıldığında yerine taşınması yeniden denenir.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -11263,9 +11278,9 @@
       <translation>Henüz hiçbir şey birleştirilmedi: seçtikleriniz yeni çelişkilere yol açıyor.</translation>
     </message>
     <message>
-      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <source>An earlier merge was interrupted and could not be completed here: %1. What lies there is kept; the other project&apos;s version was left out, or waits in the folder merge.partial.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Önceki bir birleştirme yarıda kaldı ve tamamlanmadan önce şu değiştirildi: %1. Buradaki hali tutuldu; öteki projenin sürümü alınmadı.</translation>
+      <translation>Önceki bir birleştirme yarıda kesildi ve burada tamamlanamadı: %1. Orada bulunan korunur; öteki projenin sürümü dışarıda bırakıldı ya da merge.partial klasöründe bekliyor.</translation>
     </message>
 </context>
 <context>

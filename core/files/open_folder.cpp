@@ -43,6 +43,18 @@ Error cannotMake(int reason, std::string where) {
   return cannotWrite(where, reason);
 }
 
+// In an open folder. Drivers of file systems answer a name that they do not know in several ways:
+// ENOENT, where the folder is still there, is exfat-fuse's.
+Error cannotCreate(int folder, int reason, std::string where) {
+  struct stat info {};
+  const bool there = ::fstat(folder, &info) == 0 && info.st_nlink > 0;
+  if (there && (reason == EINVAL || reason == EILSEQ || reason == ENAMETOOLONG || reason == ENOENT))
+    return Error::unusable(message("This disk does not accept this name; rename the file, or use a "
+                                   "folder on another disk."),
+                           std::move(where));
+  return cannotMake(reason, std::move(where));
+}
+
 Message kindOf(mode_t mode) {
   if (S_ISDIR(mode)) return message("This is a folder, not a file; choose a file.");
   if (S_ISFIFO(mode)) return message("This is a pipe, not a file; choose a file.");
@@ -161,7 +173,7 @@ Result<void> NewFile::finish() {
     if (!is_there && ::renameat(folder_.get(), partial_.c_str(), folder_.get(), name_.c_str()) != 0)
       failed = errno;
   }
-  if (failed != 0) return cannotWrite(failed);
+  if (failed != 0) return cannotCreate(folder_.get(), failed, where_);
   file_ = FileDescriptor();
   ::fsync(folder_.get());
   return {};
@@ -180,7 +192,7 @@ Result<FileDescriptor> OpenFolder::folderOf(const ContainedPath& path, std::size
   for (std::size_t i = 0; i < parts; ++i) {
     const char* part = path.parts()[i].c_str();
     if (missing == Missing::Made && ::mkdirat(folder.get(), part, 0777) != 0 && errno != EEXIST)
-      return cannotMake(errno, named(path));
+      return cannotCreate(folder.get(), errno, named(path));
     FileDescriptor below(::openat(folder.get(), part, kFolder));
     if (!below.isOpen()) return cannotOpen(errno, named(path));
     folder = std::move(below);
@@ -211,7 +223,7 @@ Result<NewFile> OpenFolder::create(const ContainedPath& path) const {
   if (::fstatat(folder->get(), path.parts().back().c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0)
     return cannotMake(EEXIST, named(path));
   UnfinishedFile begun = beginFile(folder->get(), path.parts().back(), 0644);
-  if (!begun.file.isOpen()) return cannotMake(errno, named(path));
+  if (!begun.file.isOpen()) return cannotCreate(folder->get(), errno, named(path));
   return NewFile(std::move(*folder), std::move(begun.file), std::move(begun.name),
                  path.parts().back(), named(path));
 }

@@ -52,7 +52,8 @@ class NewFile {
   NewFile& operator=(NewFile&&) = delete;
   ~NewFile();
   Result<void> write(std::string_view bytes);
-  /// Syncs it and gives it its name. Error: a file of that name is there.
+  /// Syncs it and gives it its name. Errors: a file of that name is there, the disk has no such
+  /// names.
   Result<void> finish();
 
  private:
@@ -77,8 +78,8 @@ class OpenFolder {
   static Result<OpenFolder> open(const std::filesystem::path& folder);
   /// Error: UnusableInput for a missing file, a link on the way, or anything but a regular file.
   Result<OpenFile> read(const ContainedPath& path) const;
-  /// Creates missing folders. Errors: UnusableInput for a link on the way or an existing file,
-  /// CannotWrite.
+  /// Creates missing folders. Errors: UnusableInput for a link on the way, an existing file, or a
+  /// name that the disk does not accept; CannotWrite.
   Result<NewFile> create(const ContainedPath& path) const;
   /// Moves a file to another place below this folder, where it replaces a file. Creates missing
   /// folders. Errors: UnusableInput for a link on the way, CannotWrite.

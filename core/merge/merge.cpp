@@ -118,7 +118,7 @@ class Merge {
     Result<std::vector<std::string>> kept =
         upkeep::placeStaged(a_.catalogue(), a_.folder(), progress, {});
     if (!kept) return kept.error();
-    files.drop();
+    if (files.files() == 0) files.drop();
     report.entered = true;
     report.files = files.files();
     report.bytes = files.bytes();
@@ -206,6 +206,8 @@ Result<MergeReport> mergeInto(upkeep::Project& a, const fs::path& b, MergeMode m
     const auto left = upkeep::placeStaged(a.catalogue(), a.folder(), progress, stop);
     if (!left) return left.error();
     kept.insert(kept.end(), left->begin(), left->end());
+    if (const Result<void> none = upkeep::checkNoneWaits(a.catalogue(), a.folder()); !none)
+      return none.error();
   }
   const Result<void> done = theirs->inSnapshot([&]() -> Result<void> {
     Result<MergeReport> merged =

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "archive/distinct_paths.h"
 #include "base/message.h"
 #include "catalogue/settings.h"
 #include "files/checksum.h"
@@ -29,10 +30,6 @@ Error takenInA(const std::string& path) {
 
 }  // namespace
 
-std::string StagedFiles::nextName() {
-  return std::to_string(++names_);
-}
-
 Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& files,
                                Progress& progress, const std::stop_token& stop) {
   if (files.empty()) return {};
@@ -43,6 +40,7 @@ Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& f
   if (!from) return from.error();
   if (!to) return to.error();
   if (!project) return project.error();
+  archive::DistinctPaths distinct;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (stop.stop_requested()) return Error::cancelled();
     progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(files.size()));
@@ -61,9 +59,11 @@ Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& f
     }
     Result<OpenFile> file = from->read(*path);
     if (!file) return file.error();
-    const std::string name = nextName();
-    const ContainedPath staged = *ContainedPath::parse(name);
-    Result<NewFile> copy = to->create(staged);
+    const Result<void> own_name = distinct.add(files[i].to);
+    if (!own_name && to->has(*place)) return own_name;  // on this disk, too, it is another's
+    Result<NewFile> copy = to->create(*place);
+    if (!copy && copy.error().code == ErrorCode::UnusableInput)
+      return Error::unusable(copy.error().what, (b / files[i].from).string());
     if (!copy) return copy.error();
     const Result<Checksum> sum =
         checksumOf(*file, stop, [&](std::string_view bytes) { return copy->write(bytes); });
@@ -78,7 +78,7 @@ Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& f
     if (!files[i].replaces && *there == sum->sha256) continue;
     if (!files[i].replaces && !there->empty()) return takenInA((project_ / files[i].to).string());
     if (const Result<void> whole = copy->finish(); !whole) return whole;
-    Result<OpenFile> written = to->read(staged);
+    Result<OpenFile> written = to->read(*place);
     if (!written) return written.error();
     const Result<Checksum> back = checksumOf(*written, stop);
     if (!back) return back.error();
@@ -86,8 +86,8 @@ Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& f
       return Error{ErrorCode::CannotWrite,
                    message("The disk does not return what was written to it; nothing was merged. "
                            "Check the disk."),
-                   (staging / name).string()};
-    staged_[files[i].to] = {name, *there};
+                   (staging / files[i].to).string()};
+    staged_[files[i].to] = {files[i].to, *there};
     bytes_ += sum->bytes;
   }
   return {};
@@ -105,12 +105,10 @@ Result<void> StagedFiles::expect(const std::string& to, const std::stop_token& s
 }
 
 Result<void> StagedFiles::put(const std::string& to, const std::string& bytes) {
-  const std::string name = nextName();
-  if (const Result<void> written =
-          writeFileAtomically(project_ / upkeep::kStagingFolder / name, bytes);
-      !written)
-    return written;
-  staged_[to] = {name, expected_[to]};
+  const fs::path at = project_ / upkeep::kStagingFolder / to;
+  if (const Result<void> made = makeFolder(at.parent_path()); !made) return made;
+  if (const Result<void> written = writeFileAtomically(at, bytes); !written) return written;
+  staged_[to] = {to, expected_[to]};
   bytes_ += static_cast<std::int64_t>(bytes.size());
   return {};
 }
@@ -131,7 +129,7 @@ Result<void> StagedFiles::note(catalogue::Catalogue& catalogue, const Outcome& o
   if (after != *before)
     if (const Result<void> noted = settings.setValue(kIncompleteBatches, after); !noted)
       return noted;
-  return upkeep::noteStaged(catalogue, staged_);
+  return staged_.empty() ? Result<void>() : upkeep::noteStaged(catalogue, staged_);
 }
 
 void StagedFiles::drop() {

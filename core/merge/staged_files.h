@@ -24,9 +24,10 @@ class StagedFiles {
  public:
   explicit StagedFiles(std::filesystem::path project) : project_(std::move(project)) { drop(); }
   /// Each is compared with its checksum, in B's catalogue and after writing. Files that B lacks are
-  /// listed, and their batches noted, so that the next merge looks for them. Error: UnusableInput
-  /// for a file that differs from B's catalogue, a link, or a place taken by another file that
-  /// FileCopy::replaces does not allow to replace.
+  /// listed, and their batches noted, so that the next merge looks for them. Each waits under the
+  /// path of its place, so that names which the disk refuses, or takes for one, show now. Error:
+  /// UnusableInput for such a name, a file that differs from B's catalogue, a link, or a place
+  /// taken by another file that FileCopy::replaces does not allow to replace.
   Result<void> copy(const std::filesystem::path& b, const std::vector<FileCopy>& files,
                     Progress& progress, const std::stop_token& stop);
   /// Before the file in this place is read for what put() makes of it.
@@ -42,14 +43,12 @@ class StagedFiles {
   std::int64_t bytes() const { return bytes_; }
 
  private:
-  std::string nextName();
   std::filesystem::path project_;
   upkeep::StagedFiles staged_;
   std::map<std::string, std::string> expected_;  ///< by place: as StagedFile::over
   std::vector<std::string> missing_;
   std::set<std::string> incomplete_;  ///< batches of A that lack them
   std::int64_t bytes_ = 0;
-  int names_ = 0;
 };
 
 /// The files below these folders of B and what its catalogue names, each once. Errors: a link.

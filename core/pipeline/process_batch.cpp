@@ -11,6 +11,7 @@
 #include "base/part_progress.h"
 #include "base/text.h"
 #include "batch/copied_photographs.h"
+#include "batch/mask_source.h"
 #include "batch/photographs.h"
 #include "checks/camera_settings.h"
 #include "checks/lone_scans.h"
@@ -432,7 +433,11 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   const Result<decisions::Decisions> decisions = decisions::readDecisions(options.output);
   if (!decisions) return decisions.error();
   const decisions::Decisions holding = decisions::standing(*decisions);
-  const stages::BatchInputs inputs(*batch, options.threads);
+  const Result<batch::MaskSource> masks = batch::maskSource(options.masks, *batch);
+  if (!masks) return masks.error();
+  const stages::BatchInputs inputs(
+      *batch, options.threads,
+      *masks == batch::MaskSource::Network ? fs::path(options.masks) : fs::path());
   const Result<FolderLock> held = stages::claimOutput(options.output, *batch, inputs.hashes());
   if (!held) return held.error();
   stages::withdrawResults(options.output);

@@ -187,12 +187,8 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
   for (rig::PosedImage& image : masked)
     image.intrinsics = rig::reducedTo(image.intrinsics, megapixels);
   const std::string name = std::string("masks_") + batch::name(side);
-  std::string how = run.options.masks;
-  if (how != "auto" && how != "given") {
-    const Result<std::string> model = readFile(how);
-    if (!model) return model.error();
-    how = sha256(*model);
-  }
+  const std::string& network = run.inputs.networkHash();
+  const std::string& how = network.empty() ? run.options.masks : network;
   const auto work = [&](const fs::path& folder) -> Result<stages::StageNotes> {
     const Result<mask::MaskResult> made = makeMasks(run, masked, poses.value.bends[sideIndex(side)],
                                                     poses.value.grounds[sideIndex(side)]);

@@ -56,14 +56,17 @@ std::string BatchInputs::hashOf(const fs::path& file) {
   return bytes ? sha256(*bytes) : "unreadable";
 }
 
-BatchInputs::BatchInputs(const batch::Batch& batch, int threads) {
+BatchInputs::BatchInputs(const batch::Batch& batch, int threads, const fs::path& network) {
   for (fs::path& file : filesOf(batch)) inputs_.push_back({std::move(file), {}, {}});
+  const std::size_t of_batch = inputs_.size();
+  if (!network.empty()) inputs_.push_back({network, {}, {}});
   parallelFor(inputs_.size(), threads, [&](std::size_t i) {
     inputs_[i].state = stateOf(inputs_[i].file);
     inputs_[i].hash = hashOf(inputs_[i].file);
   });
-  for (const Input& input : inputs_)
-    hashes_[input.file.lexically_proximate(batch.folder).generic_string()] = input.hash;
+  for (std::size_t i = 0; i < of_batch; ++i)
+    hashes_[inputs_[i].file.lexically_proximate(batch.folder).generic_string()] = inputs_[i].hash;
+  if (!network.empty()) network_hash_ = inputs_.back().hash;
   if (batch.plate && batch.plate_file.empty()) hashes_["plate.json"] = hashOfPlate(*batch.plate);
 }
 

@@ -10,14 +10,17 @@
 
 namespace ostraka::stages {
 
-/// All that is read from a batch, by its contents when a run began. A run reads the files again and
-/// again for hours, so what it makes of them is what the hashes say only while they stay the same.
+/// All that is read from a batch, and the network for its masks, by their contents when a run
+/// began. A run reads the files again and again for hours, so what it makes of them is what the
+/// hashes say only while they stay the same.
 class BatchInputs {
  public:
-  BatchInputs(const batch::Batch& batch, int threads);
+  /// network: a laboratory's own; empty: none.
+  BatchInputs(const batch::Batch& batch, int threads, const std::filesystem::path& network = {});
 
-  /// Names (relative to the batch) and SHA-256.
+  /// Names (relative to the batch) and SHA-256; of the batch alone.
   const nlohmann::ordered_json& hashes() const { return hashes_; }
+  const std::string& networkHash() const { return network_hash_; }  ///< SHA-256; empty: none
   /// Error: UnusableInput, of the file that is not what it was. Only what was written to since is
   /// read again.
   Result<void> checkUnchanged() const;
@@ -38,6 +41,7 @@ class BatchInputs {
   static std::string hashOf(const std::filesystem::path& file);
 
   std::vector<Input> inputs_;
+  std::string network_hash_;
   nlohmann::ordered_json hashes_ = nlohmann::ordered_json::object();
 };
 

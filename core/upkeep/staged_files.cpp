@@ -89,6 +89,7 @@ Result<std::string> textAt(const OpenFolder& project, const ContainedPath& place
 
 struct WaitingFile {
   ContainedPath from, to;
+  StagedFile staged;
   bool changed = false;  // what lies in its place
 };
 
@@ -123,7 +124,10 @@ Result<std::string> sha256At(const OpenFolder& project, const ContainedPath& pla
 }
 
 Result<void> noteStaged(catalogue::Catalogue& catalogue, const StagedFiles& files) {
-  if (files.empty()) return {};
+  if (files.empty())
+    return catalogue.database().inTransaction([&] {
+      catalogue.database().sql("DELETE FROM setting WHERE key = ?").with(kJournal).run();
+    });
   nlohmann::json journal = nlohmann::json::object();
   for (const auto& [to, file] : files) journal[to] = nlohmann::json::array({file.name, file.over});
   return catalogue::Settings(catalogue).setValue(kJournal, journal.dump());
@@ -138,7 +142,17 @@ Result<std::vector<std::string>> placeStaged(catalogue::Catalogue& catalogue,
   const Result<OpenFolder> folder = OpenFolder::open(project);
   if (!folder) return folder.error();
   std::vector<WaitingFile> waiting;
-  std::set<std::string> kept;
+  StagedFiles unplaced;
+  std::set<std::string> kept, left;
+  const auto leave = [&](const std::string& to, const StagedFile& file, const Error& why) {
+    unplaced[to] = file;
+    left.insert(to);
+    progress.note(NoteLevel::Warning,
+                  about(to, inOne(why.what,
+                                  message("It belongs to a merge and waits in %1; moving it to its "
+                                          "place is tried again whenever the project is opened.",
+                                          (project / kStagingFolder / file.name).string()))));
+  };
   // The journal may have come with a project from elsewhere.
   for (const auto& [to, file] : *noted) {
     const Result<ContainedPath> place = ContainedPath::parse(to),
@@ -149,8 +163,12 @@ Result<std::vector<std::string>> placeStaged(catalogue::Catalogue& catalogue,
     if (!catalogue::isPlaceOfFiles(to)) return notAPlaceOfFiles(to);
     if (!folder->has(*from)) continue;  // it has its place
     const Result<std::string> there = sha256At(*folder, *place, stop);
-    if (!there) return there.error();
-    waiting.push_back({*from, *place, !there->empty() && *there != file.over});
+    if (!there && there.error().code == ErrorCode::Cancelled) return there.error();
+    if (!there) {
+      leave(to, file, there.error());
+      continue;
+    }
+    waiting.push_back({*from, *place, file, !there->empty() && *there != file.over});
     if (waiting.back().changed && !isPeoplesFile(to)) kept.insert(folderOfPlace(to));
   }
   for (const WaitingFile& file : waiting) {
@@ -158,7 +176,10 @@ Result<std::vector<std::string>> placeStaged(catalogue::Catalogue& catalogue,
     if (isPeoplesFile(to)) {
       const Result<void> joined =
           file.changed ? joinPeoplesFile(catalogue, *folder, file) : Result<void>();
-      if (!joined && joined.error().code == ErrorCode::CannotWrite) return joined.error();
+      if (!joined && joined.error().code == ErrorCode::CannotWrite) {
+        leave(to, file.staged, joined.error());
+        continue;
+      }
       if (!joined) {  // one that cannot be read is not replaced
         kept.insert(to);
         continue;
@@ -166,21 +187,32 @@ Result<std::vector<std::string>> placeStaged(catalogue::Catalogue& catalogue,
     } else if (kept.contains(folderOfPlace(to))) {
       continue;
     }
-    if (const Result<void> moved = folder->move(file.from, file.to); !moved) return moved.error();
+    if (const Result<void> moved = folder->move(file.from, file.to); !moved)
+      leave(to, file.staged, moved.error());
   }
-  if (const Result<void> forgotten = catalogue.database().inTransaction([&] {
-        catalogue.database().sql("DELETE FROM setting WHERE key = ?").with(kJournal).run();
-      });
-      !forgotten)
-    return forgotten.error();
+  if (const Result<void> noted_again = noteStaged(catalogue, unplaced); !noted_again)
+    return noted_again.error();
   std::error_code ignored;
-  fs::remove_all(project / kStagingFolder, ignored);
+  if (unplaced.empty()) fs::remove_all(project / kStagingFolder, ignored);
   for (const std::string& one : kept)
     progress.note(NoteLevel::Warning,
                   about(one, message("This changed while a merge was being completed, so it was "
                                      "kept, but the catalogue has what was merged. Reprocess the "
                                      "batch.")));
+  kept.merge(left);
   return std::vector<std::string>(kept.begin(), kept.end());
+}
+
+Result<void> checkNoneWaits(const catalogue::Catalogue& catalogue, const fs::path& project) {
+  const Result<StagedFiles> noted = notedFiles(catalogue);
+  if (!noted) return noted.error();
+  if (noted->empty()) return {};
+  return Error::unusable(
+      message("A file of an earlier merge cannot be moved to its place, %1. Make it possible (move "
+              "away what lies there, or copy the project to another disk), or delete the file; "
+              "then merge again.",
+              noted->begin()->first),
+      (project / kStagingFolder / noted->begin()->second.name).string());
 }
 
 Result<std::vector<std::string>> finishMerge(catalogue::Catalogue& catalogue,

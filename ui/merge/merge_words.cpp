@@ -110,9 +110,9 @@ QString keptWords(const std::vector<std::string>& kept) {
   for (const std::string& place : kept) places << text(place);
   return places.isEmpty() ? QString()
                           : MergeModel::tr(
-                                "An earlier merge was interrupted, and this was changed before it "
-                                "was completed: %1. It is kept as it is here; the other project's "
-                                "version was left out.")
+                                "An earlier merge was interrupted and could not be completed here: "
+                                "%1. What lies there is kept; the other project's version was left "
+                                "out, or waits in the folder merge.partial.")
                                 .arg(firstOf(places, kMostKeptNamed));
 }
 

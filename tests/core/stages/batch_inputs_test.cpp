@@ -48,6 +48,20 @@ TEST_F(Inputs, AreTheSameWhileTheirBytesAreHoweverOftenTheyAreWritten) {
   EXPECT_FALSE(inputs.checkUnchanged().has_value());
 }
 
+// Else fronts and backs could be masked by two networks.
+TEST_F(Inputs, HoldTheNetworkForMasksButNotAmongTheFilesOfTheBatch) {
+  write("../masks.onnx", "one network");
+  const fs::path network = batch.folder / "../masks.onnx";
+  const BatchInputs inputs(batch, 2, network);
+  EXPECT_EQ(inputs.networkHash(), sha256("one network"));
+  EXPECT_EQ(inputs.hashes(), BatchInputs(batch, 2).hashes());
+  EXPECT_TRUE(inputs.checkUnchanged().has_value());
+  write("../masks.onnx", "its follower");
+  const Result<void> changed = inputs.checkUnchanged();
+  ASSERT_FALSE(changed.has_value());
+  EXPECT_EQ(changed.error().where, network.string());
+}
+
 TEST_F(Inputs, HoldWhateverIsReadFromTheBatch) {
   write("front/masks/a.png", "m");
   batch.shots[0].mask_file = batch.folder / "front/masks/a.png";

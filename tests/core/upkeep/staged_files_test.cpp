@@ -79,6 +79,34 @@ TEST_F(Staged, GoOnWhereAKillLeftThem) {
   EXPECT_EQ(at("batches/B0001/front/b.jpg"), "B");
 }
 
+// A folder in the place of a file, and a file in the place of a folder.
+TEST_F(Staged, WaitWhereTheyCannotBeMovedWhileAllOthersComeToTheirPlaces) {
+  write("batches/B0001/front/a.jpg/in_the_way", "x");
+  write("batches/B0002", "x");
+  stage("batches/B0001/front/a.jpg", "A");
+  stage("batches/B0001/front/b.jpg", "B");
+  stage("batches/B0002/front/c.jpg", "C");
+  const auto left = place();
+  ASSERT_TRUE(left) << left.error().sentence();
+  EXPECT_THAT(*left,
+              testing::ElementsAre("batches/B0001/front/a.jpg", "batches/B0002/front/c.jpg"));
+  EXPECT_EQ(at("batches/B0001/front/b.jpg"), "B");
+  const Result<void> waits = checkNoneWaits(catalogue(), project_->folder());
+  ASSERT_FALSE(waits);
+  EXPECT_EQ(waits.error().code, ErrorCode::UnusableInput);
+  EXPECT_TRUE(Project::open(project_->folder())) << "no file locks the project";
+
+  fs::remove_all(project_->folder() / "batches/B0001/front/a.jpg");
+  fs::remove(project_->folder() / "batches/B0002");
+  const auto none = place();
+  ASSERT_TRUE(none) << none.error().sentence();
+  EXPECT_THAT(*none, testing::IsEmpty());
+  EXPECT_EQ(at("batches/B0001/front/a.jpg"), "A");
+  EXPECT_EQ(at("batches/B0002/front/c.jpg"), "C");
+  EXPECT_TRUE(checkNoneWaits(catalogue(), project_->folder()));
+  EXPECT_FALSE(fs::exists(project_->folder() / kStagingFolder));
+}
+
 TEST_F(Staged, GoNowhereElseThanAMergeMay) {
   using catalogue::isPlaceOfFiles;
   for (const char* place_of : {"batches/B0001/a.jpg", "results/B0001/a", "models/B0001/a.ply"})

@@ -15,6 +15,7 @@
 #include "intake/side_photographs.h"
 #include "options.h"
 #include "sherds/filter.h"
+#include "sherds/numbers.h"
 #include "sherds/sherds.h"
 #include "shown.h"
 #include "upkeep/file_check.h"
@@ -130,7 +131,8 @@ int runEnter(const Options& options, Session& session) {
   if (!entered) return fail(session, entered.error());
   session.finishProgress();
   std::vector<Message> warnings;
-  if (entered->other_photographs) warnings.push_back(*entered->other_photographs);
+  for (const auto& photographs : {entered->other_photographs, entered->more_photographs})
+    if (photographs) warnings.push_back(*photographs);
   if (const auto saved = project->backUp(); !saved)
     warnings.push_back(inOne("The results are entered, but the backup afterwards failed.",
                              saved.error().sentence()));
@@ -225,6 +227,8 @@ int runCheck(const Options& options, Session& session) {
   }
   if (const auto good = upkeep::checkValues(project->catalogue()); !good)
     return fail(session, good.error());
+  if (const auto block = sherds::numberBlock(project->catalogue()); !block)
+    return fail(session, block.error());
   session.progress.begin("check", 1.0);
   const auto checked = upkeep::checkFiles(
       project->catalogue(), project->folder(),

@@ -10774,6 +10774,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei gehört zu einer Zusammenführung und wartet in %1; bei jedem Öffnen des Projekts wird erneut versucht, sie an ihren Ort zu verschieben.</translation>
     </message>
+    <message>
+      <source>The block of numbers of this computer begins or ends with &apos;%1&apos;, but must be of whole numbers from 1 to %2; set it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Nummernblock dieses Rechners beginnt oder endet mit &apos;%1&apos;, muss aber aus ganzen Zahlen von 1 bis %2 bestehen; in den Einstellungen festlegen.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that these results were not made from: %2, the first is %3. Reprocess the batch to use them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos von %1, aus denen diese Ergebnisse nicht entstanden: %2, das erste ist %3. Den Durchgang noch einmal verarbeiten, um sie zu benutzen.</translation>
+    </message>
+    <message>
+      <source>These results do not say which photographs they were made from, so they are not entered; process %1 again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ergebnisse sagen nicht, aus welchen Fotos sie entstanden; sie werden daher nicht eingetragen. %1 noch einmal verarbeiten.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10774,6 +10774,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο ανήκει σε μια συγχώνευση και περιμένει στο %1· η μετακίνησή του στη θέση του δοκιμάζεται ξανά κάθε φορά που ανοίγει το έργο.</translation>
     </message>
+    <message>
+      <source>The block of numbers of this computer begins or ends with &apos;%1&apos;, but must be of whole numbers from 1 to %2; set it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σειρά αριθμών αυτού του υπολογιστή αρχίζει ή τελειώνει με «%1», αλλά πρέπει να αποτελείται από ακέραιους αριθμούς από 1 ως %2· ορίστε την στις ρυθμίσεις.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that these results were not made from: %2, the first is %3. Reprocess the batch to use them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφίες της %1 από τις οποίες δεν έγιναν αυτά τα αποτελέσματα: %2, η πρώτη είναι η %3. Επεξεργαστείτε ξανά την παρτίδα για να χρησιμοποιηθούν.</translation>
+    </message>
+    <message>
+      <source>These results do not say which photographs they were made from, so they are not entered; process %1 again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτά τα αποτελέσματα δεν λένε από ποιες φωτογραφίες έγιναν, γι’ αυτό δεν καταχωρίζονται· επεξεργαστείτε ξανά την %1.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10774,6 +10774,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo pertenece a una unión y espera en %1; cada vez que se abre el proyecto se intenta de nuevo moverlo a su lugar.</translation>
     </message>
+    <message>
+      <source>The block of numbers of this computer begins or ends with &apos;%1&apos;, but must be of whole numbers from 1 to %2; set it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El bloque de números de este ordenador empieza o termina con «%1», pero debe ser de números enteros de 1 a %2; establézcalo en los ajustes.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that these results were not made from: %2, the first is %3. Reprocess the batch to use them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos de %1 de las que no proceden estos resultados: %2, la primera es %3. Vuelva a procesar la tanda para usarlas.</translation>
+    </message>
+    <message>
+      <source>These results do not say which photographs they were made from, so they are not entered; process %1 again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estos resultados no dicen de qué fotos proceden, por lo que no se registran; procese %1 de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

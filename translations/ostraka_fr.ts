@@ -10774,6 +10774,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce fichier appartient à une fusion et attend dans %1 ; à chaque ouverture du projet, son déplacement vers son emplacement est tenté de nouveau.</translation>
     </message>
+    <message>
+      <source>The block of numbers of this computer begins or ends with &apos;%1&apos;, but must be of whole numbers from 1 to %2; set it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le bloc de numéros de cet ordinateur commence ou finit par « %1 », mais doit être fait de nombres entiers de 1 à %2 ; définissez-le dans les réglages.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that these results were not made from: %2, the first is %3. Reprocess the batch to use them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photos de %1 dont ces résultats ne proviennent pas : %2, la première est %3. Retraitez le lot pour les utiliser.</translation>
+    </message>
+    <message>
+      <source>These results do not say which photographs they were made from, so they are not entered; process %1 again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces résultats ne disent pas de quelles photos ils proviennent ; ils ne sont donc pas enregistrés. Traitez %1 de nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10774,6 +10774,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը պատկանում է միավորմանը և սպասում է %1-ում. նախագիծը բացելիս ամեն անգամ կրկին փորձվում է այն տեղափոխել իր տեղը։</translation>
     </message>
+    <message>
+      <source>The block of numbers of this computer begins or ends with &apos;%1&apos;, but must be of whole numbers from 1 to %2; set it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս համակարգչի համարների շարքը սկսվում կամ ավարտվում է «%1»-ով, բայց պետք է լինի 1-ից %2 ամբողջ թվերից. սահմանեք այն կարգավորումներում։</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that these results were not made from: %2, the first is %3. Reprocess the batch to use them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի լուսանկարներ, որոնցից այս արդյունքները չեն ստացվել՝ %2, առաջինը՝ %3։ Դրանք օգտագործելու համար կրկին մշակեք խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>These results do not say which photographs they were made from, so they are not entered; process %1 again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս արդյունքները չեն ասում, թե որ լուսանկարներից են ստացվել, ուստի չեն գրանցվում. կրկին մշակեք %1-ը։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

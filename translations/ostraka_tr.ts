@@ -10722,6 +10722,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya bir birleştirmeye aittir ve %1 içinde bekliyor; proje her açıldığında yerine taşınması yeniden denenir.</translation>
     </message>
+    <message>
+      <source>The block of numbers of this computer begins or ends with &apos;%1&apos;, but must be of whole numbers from 1 to %2; set it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bilgisayarın numara bloğu &apos;%1&apos; ile başlıyor ya da bitiyor, oysa 1 ile %2 arasındaki tam sayılardan oluşmalı; ayarlarda belirleyin.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that these results were not made from: %2, the first is %3. Reprocess the batch to use them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 partisinin, bu sonuçların yapılmadığı fotoğrafları: %2, ilki %3. Bunları kullanmak için partiyi yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>These results do not say which photographs they were made from, so they are not entered; process %1 again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu sonuçlar hangi fotoğraflardan yapıldıklarını söylemiyor, bu yüzden kaydedilmiyor; %1 partisini yeniden işleyin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

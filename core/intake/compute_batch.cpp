@@ -215,7 +215,8 @@ BatchFigures enteredFigures(upkeep::Project& project, const records::BatchRecord
       enterResults(rows, project.folder(), begun.row, output, provenance, progress, stop));
   const Result<bool> again = queueIfAsked(rows, begun.number, provenance);
   if (!again) progress.note(NoteLevel::Warning, again.error().sentence());
-  if (entered.other_photographs) progress.note(NoteLevel::Warning, *entered.other_photographs);
+  for (const auto& photographs : {entered.other_photographs, entered.more_photographs})
+    if (photographs) progress.note(NoteLevel::Warning, *photographs);
   for (const std::string& number : entered.numbers_left)
     progress.note(NoteLevel::Warning, leftSentence(rows, number));
   figures.numbers_left = entered.numbers_left;

@@ -314,11 +314,20 @@ std::vector<records::FileRecord> scaleFilesOf(const fs::path& project, const fs:
   return files;
 }
 
-// made_from: the hashes of those that count; empty: all.
-Result<int> recordPhotographs(catalogue::Catalogue& catalogue, const fs::path& project,
-                              store::BatchRow batch, const std::set<std::string>& made_from,
-                              const records::Provenance& provenance, Progress& progress,
-                              const std::stop_token& stop) {
+struct RecordedPhotographs {
+  int recorded = 0;
+  std::vector<std::string> more;  // names that do not count
+};
+
+// made_from: those that count; empty: all.
+Result<RecordedPhotographs> recordPhotographs(catalogue::Catalogue& catalogue,
+                                              const fs::path& project, store::BatchRow batch,
+                                              const batch::PhotographHashes& made_from,
+                                              const records::Provenance& provenance,
+                                              Progress& progress, const std::stop_token& stop) {
+  std::set<std::string> count;
+  for (const auto& [name, hash] : made_from) count.insert(hash);
+  RecordedPhotographs done;
   const Result<records::BatchRecord> record = catalogue::Batches(catalogue).get(batch);
   if (!record) return record.error();
   const Result<batch::Batch> folder =
@@ -339,7 +348,11 @@ Result<int> recordPhotographs(catalogue::Catalogue& catalogue, const fs::path& p
       Photograph p;
       std::string bytes;
       std::tie(p.file, bytes) = fileOf(project, shot.file, batch, "photo");
-      if (!made_from.empty() && !made_from.contains(p.file.sha256)) continue;
+      if (!count.empty() && !count.contains(p.file.sha256)) {
+        const std::string name = shot.file.lexically_relative(folder->folder).generic_string();
+        if (!made_from.contains(name)) done.more.push_back(name);  // else it was exchanged
+        continue;
+      }
       p.shot.path = p.file.path;
       p.shot.batch = batch;
       p.shot.side = shot.side;
@@ -374,7 +387,8 @@ Result<int> recordPhotographs(catalogue::Catalogue& catalogue, const fs::path& p
       valueOrThrow(catalogue::Batches(catalogue).save(p.shot, provenance));
       valueOrThrow(catalogue::Files(catalogue).save(p.file, provenance));
     }
-    return static_cast<int>(read->size());
+    done.recorded = static_cast<int>(read->size());
+    return done;
   });
 }
 
@@ -383,7 +397,9 @@ Result<int> recordPhotographs(catalogue::Catalogue& catalogue, const fs::path& p
 Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& project,
                              store::BatchRow batch, const records::Provenance& provenance,
                              Progress& progress, std::stop_token stop) {
-  return recordPhotographs(catalogue, project, batch, {}, provenance, progress, stop);
+  const Result<RecordedPhotographs> done =
+      recordPhotographs(catalogue, project, batch, {}, provenance, progress, stop);
+  return done ? Result<int>(done->recorded) : done.error();
 }
 
 Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue, const fs::path& project,
@@ -399,11 +415,16 @@ Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue, const fs::p
   const auto made_from = catalogue.database().asResult([&] { return photographsOf(out); });
   if (!made_from) return made_from.error();
   // Results may be here without their photographs, or with ones that cannot be read any more.
-  const Result<int> recorded =
+  const Result<RecordedPhotographs> recorded =
       recordPhotographs(catalogue, project, batch, *made_from, provenance, progress, stop);
   if (!recorded && (recorded.error().code == ErrorCode::CannotWrite ||
                     recorded.error().code == ErrorCode::Cancelled))
     return recorded.error();
+  if (recorded && !recorded->more.empty())
+    done->more_photographs =
+        message("Photographs of %1 that these results were not made from: %2, the first is %3. "
+                "Reprocess the batch to use them.",
+                record->number, recorded->more.size(), recorded->more.front());
   return done;
 }
 

@@ -19,6 +19,7 @@ struct EnteredResults {
   bool decided_meanwhile = false;  ///< what the computation did not know is to be computed
   std::vector<std::string> numbers_left;     ///< typed on the plate, but no sherd lies there
   std::optional<Message> other_photographs;  ///< single ones differ; the batch is to be reviewed
+  std::optional<Message> more_photographs;   ///< the batch has more than they were made from
 };
 
 /// Reads OUT of `ostraka process` (pairs.json, report.json, the models) into the catalogue: scans,

@@ -150,6 +150,8 @@ class Reading {
     std::vector<fs::path> files;
     std::error_code code;
     if (fs::exists(table, code)) {
+      noteStageOf(table);
+      checkAsNoted(table);
       const json candidates = store::valueOrThrow(readJson(table));
       for (const json& scan : candidates.at(side + "s")) {
         // Another batch's scan would become this one's in the catalogue.
@@ -235,10 +237,26 @@ class Reading {
     const fs::path record = out_ / stages::kReportsRecord;
     opened(record);
     note(out_, store::valueOrThrow(readJson(record)));
+    checkAsNoted(out_ / stages::kInputsRecord);
     for (const char* name : {"report.json", "report.html", "pairs.json"}) {
       if (!noted_.contains(out_ / name)) refuseIncomplete(record);
       file(out_ / name, "report", {}, {});
     }
+  }
+
+  // A file that the catalogue does not list.
+  void checkAsNoted(const fs::path& path) {
+    if (!noted_.contains(path)) return;
+    OpenFile open = opened(path);
+    checkAsNoted(path, store::valueOrThrow(checksumOf(open, stop_)).sha256);
+  }
+
+  void checkAsNoted(const fs::path& path, const std::string& sha256) const {
+    const auto noted = noted_.find(path);
+    if (noted != noted_.end() && noted->second != sha256)
+      store::refuse(message("This file differs from what 'ostraka process' wrote; run it again, "
+                            "which writes the file anew."),
+                    path.string());
   }
 
   // What made the files of a folder noted of them.
@@ -248,9 +266,8 @@ class Reading {
   }
 
   void noteStageOf(const fs::path& file) {
+    if (noted_.contains(file)) return;
     const fs::path stage = file.parent_path() / "stage.json";
-    std::error_code none;
-    if (noted_.contains(file) || !fs::exists(stage, none)) return;
     opened(stage);
     note(file.parent_path(), store::valueOrThrow(readJson(stage)));
   }
@@ -301,11 +318,7 @@ class Reading {
     stopIfAsked();
     OpenFile open = opened(path);
     const Checksum sum = store::valueOrThrow(checksumOf(open, stop_));
-    const auto noted = noted_.find(path);
-    if (noted != noted_.end() && noted->second != sum.sha256)
-      store::refuse(message("This file differs from what 'ostraka process' wrote; run it again, "
-                            "which writes the file anew."),
-                    path.string());
+    checkAsNoted(path, sum.sha256);
     ReadFile read;
     read.record.path = relativeTo(project_, path);
     read.record.sha256 = sum.sha256;

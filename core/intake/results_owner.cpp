@@ -12,6 +12,7 @@
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "files/json.h"
+#include "stages/output_folder.h"
 #include "store/database.h"
 
 namespace ostraka::intake {
@@ -32,18 +33,6 @@ SideHashes bySide(const batch::PhotographHashes& photographs) {
   for (const auto& [name, hash] : photographs)
     if (const std::optional<Side> side = batch::sideOf(name)) hashes[indexOf(*side)].insert(hash);
   return hashes;
-}
-
-SideHashes readFrom(const fs::path& out) {
-  const fs::path file = out / "work" / "batch.json";
-  std::error_code failed;
-  if (!fs::exists(file, failed)) return {};  // it does not say
-  const nlohmann::json all = valueOrThrow(readJson(file));
-  batch::PhotographHashes photographs;
-  if (all.is_object())
-    for (const auto& [name, hash] : all.items())
-      if (hash.is_string()) photographs[name] = hash.get<std::string>();
-  return bySide(photographs);
 }
 
 struct Comparison {
@@ -118,10 +107,16 @@ class Owners {
 
 }  // namespace
 
-std::set<std::string> photographsOf(const fs::path& out) {
-  SideHashes hashes = readFrom(out);
-  hashes[0].merge(hashes[1]);
-  return hashes[0];
+batch::PhotographHashes photographsOf(const fs::path& out) {
+  const fs::path file = out / stages::kInputsRecord;
+  std::error_code failed;
+  if (!fs::exists(file, failed)) return {};  // it does not say
+  const nlohmann::json all = valueOrThrow(readJson(file));
+  batch::PhotographHashes photographs;
+  if (all.is_object())
+    for (const auto& [name, hash] : all.items())
+      if (hash.is_string() && batch::sideOf(name)) photographs[name] = hash.get<std::string>();
+  return photographs;
 }
 
 Result<std::optional<Message>> checkResultsAreOf(const catalogue::Catalogue& catalogue,
@@ -129,10 +124,16 @@ Result<std::optional<Message>> checkResultsAreOf(const catalogue::Catalogue& cat
                                                  const records::BatchRecord& batch,
                                                  const fs::path& out, const std::stop_token& stop) {
   return catalogue.database().asResult([&]() -> std::optional<Message> {
-    const SideHashes made_from = readFrom(out);
-    if (made_from[0].empty() && made_from[1].empty()) return std::nullopt;
+    const SideHashes made_from = bySide(photographsOf(out));
     const Owners owners(catalogue, project, made_from, stop);
     const Comparison own = owners.with(batch);
+    if (own.all() == 0) {
+      if (!own.known[0] && !own.known[1]) return std::nullopt;
+      store::refuse(message("These results do not say which photographs they were made from, so "
+                            "they are not entered; process %1 again.",
+                            batch.number),
+                    out);
+    }
     if (own.isOfTheBatch()) {
       if (own.others() == 0) return std::nullopt;
       return message(

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <utility>
 
 #include "base/message.h"
 #include "store/names.h"
@@ -106,6 +108,20 @@ Result<Numbering> Numbering::parse(std::string_view scheme) {
   if (counters != 1)
     return Error::unusable(message("The numbering must count the sherds with {n} exactly once."));
   return numbering;
+}
+
+Result<NumberBlock> NumberBlock::parse(std::string_view first, std::string_view last) {
+  NumberBlock block;
+  for (const auto& [text, number] : {std::pair(first, &block.first), std::pair(last, &block.last)}) {
+    if (text.empty()) continue;
+    const auto [end, bad] = std::from_chars(text.data(), text.data() + text.size(), *number);
+    if (bad != std::errc() || end != text.data() + text.size() || *number < 1 || *number > kLast)
+      return Error::unusable(
+          message("The block of numbers of this computer begins or ends with '%1', but must be of "
+                  "whole numbers from 1 to %2; set it in the settings.",
+                  std::string(text), kLast));
+  }
+  return block;
 }
 
 std::string Numbering::fill(const std::map<std::string, std::string>& values, std::string_view n,

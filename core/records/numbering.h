@@ -38,6 +38,14 @@ class Numbering {
   std::vector<Part> parts_;
 };
 
+/// Which running numbers a computer gives.
+struct NumberBlock {
+  static constexpr int kLast = 999'999'999;
+  int first = 1, last = kLast;
+  /// Both as settings hold them; empty: the default. Error: UnusableInput for all but 1..kLast.
+  static Result<NumberBlock> parse(std::string_view first, std::string_view last);
+};
+
 /// The numbers that differ in {n} alone. Places are told apart by store::codeKey, so their numbers
 /// are too: T3 written on a sherd is the trench that was typed as t3.
 class NumberCount {

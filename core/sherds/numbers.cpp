@@ -52,17 +52,6 @@ std::map<std::string, std::string> numberTokens(const catalogue::Catalogue& cata
 
 namespace {
 
-constexpr std::int64_t kLastNumber = 999'999'999;
-
-// The block of numbers of this computer (settings numbering.first and numbering.last), so that two
-// laptops in the field never give the same number.
-std::int64_t settingNumber(const catalogue::Catalogue& catalogue, const char* key,
-                           std::int64_t otherwise) {
-  const std::string text = store::valueOrThrow(catalogue::Settings(catalogue).value(key));
-  if (text.empty()) return otherwise;
-  return static_cast<std::int64_t>(store::valueOrThrow(store::parsedNumber(text)));
-}
-
 // 12 of 12.0, which a spreadsheet makes of it.
 std::string withoutPointZero(const std::string& number) {
   const std::size_t digits = std::min(number.find_first_not_of("0123456789"), number.size());
@@ -112,14 +101,22 @@ void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord
                number, store::sortKey(number), sherd.row);
 }
 
+Result<records::NumberBlock> numberBlock(const catalogue::Catalogue& catalogue) {
+  const catalogue::Settings settings(catalogue);
+  const Result<std::string> first = settings.value("numbering.first"),
+                            last = settings.value("numbering.last");
+  if (!first || !last) return first ? last.error() : first.error();
+  return records::NumberBlock::parse(*first, *last);
+}
+
 Result<std::vector<std::string>> Numbers::propose(std::span<const store::SherdRow> rows) const {
   return database_->asResult([&] {
     const records::Numbering scheme = schemeOf(catalogue_);
-    const std::int64_t first = settingNumber(catalogue_, "numbering.first", 1);
-    const std::int64_t last = settingNumber(catalogue_, "numbering.last", kLastNumber);
+    const auto [first, last] = store::valueOrThrow(numberBlock(catalogue_));
     std::map<std::string, std::int64_t> next;  // of each counter
     std::map<std::tuple<std::string, std::int64_t, std::int64_t>, catalogue::GivenNumbers> counts;
     std::vector<std::string> numbers;
+    std::set<std::string> proposed;
     const std::set<std::string> typed = typedEverywhere(catalogue_);
     for (const records::SherdRecord& sherd : store::valueOrThrow(Sherds(catalogue_).of(rows))) {
       if (!sherd.number.empty()) {
@@ -147,7 +144,9 @@ Result<std::vector<std::string>> Numbers::propose(std::span<const store::SherdRo
                         counter);
         number = store::valueOrThrow(scheme.number(tokens, static_cast<int>(n)));
         // Typed by hand in another form, or on a plate that is not computed yet.
-      } while (takenBy(*database_, number).sherd || typed.contains(store::uniqueKey(number)));
+      } while (takenBy(*database_, number).sherd || typed.contains(store::uniqueKey(number)) ||
+               !store::valueOrThrow(similar(sherd.row, number)).empty() ||
+               !proposed.insert(store::sortKey(number)).second);
       numbers.push_back(number);
     }
     return numbers;
@@ -212,8 +211,7 @@ Result<std::vector<int>> Numbers::gaps(store::ContextRow context) const {
   return database_->asResult([&] {
     constexpr std::size_t kMost = 10'000;
     const records::Numbering scheme = schemeOf(catalogue_);
-    const std::int64_t first = settingNumber(catalogue_, "numbering.first", 1);
-    const std::int64_t last = settingNumber(catalogue_, "numbering.last", kLastNumber);
+    const auto [first, last] = store::valueOrThrow(numberBlock(catalogue_));
     // One sherd for all that share what a scheme may name.
     const auto rows =
         database_->sql("SELECT min(row) FROM sherd WHERE context = ? GROUP BY bag, batch", context)

@@ -12,13 +12,17 @@
 
 namespace ostraka::sherds {
 
+/// Of this computer, so that no two in the field give the same number.
+Result<records::NumberBlock> numberBlock(const catalogue::Catalogue&);
+
 /// The inventory numbers of sherds, by the project's scheme.
 class Numbers : public catalogue::Subject {
  public:
   using catalogue::Subject::Subject;
 
   /// The next free numbers of a context (and bag, batch), above all that were given there in
-  /// whichever spelling of the place (store::codeKey), and in the place's own; not reserved.
+  /// whichever spelling of the place (store::codeKey), and in the place's own, similar to none
+  /// of another sherd; not reserved.
   Result<std::vector<std::string>> propose(std::span<const store::SherdRow>) const;
   /// Gives drafts their numbers. Returns them in the order of the rows.
   Result<std::vector<std::string>> assign(std::span<const store::SherdRow>,

@@ -18,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr const char* kBatchFile = "batch.json";  // in OUT/work, of process
 constexpr const char* kScansFile = "scans.json";  // in OUT/work, of register
 constexpr const char* kRegister = "register";
 constexpr std::string_view kFolders[] = {"work", "sherds", "unpaired"};
@@ -111,7 +110,7 @@ Result<FolderLock> claimOutput(const fs::path& output, const batch::Batch& batch
                                const ordered_json& hashes) {
   if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
     return own.error();
-  const fs::path file = output / "work" / kBatchFile;
+  const fs::path file = output / kInputsRecord;
   if (const Result<void> may = mayUseOutput(output, file, batch, hashes); !may) return may.error();
   return claimed(output, file, hashes);
 }

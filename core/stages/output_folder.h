@@ -33,8 +33,11 @@ void leaveGoneOutput(const std::filesystem::path& output);
 /// Whether a run writes a file of this name into OUT/unpaired: f001.ply, b012.ply.
 bool isUnpairedScan(const std::string& name);
 
-/// In OUT: `files` names the SHA-256 of pairs.json, report.html and report.json, as a run left
-/// them.
+/// In OUT: SHA-256 by name of what `process` read from the batch.
+inline constexpr const char* kInputsRecord = "work/batch.json";
+
+/// In OUT: `files` names the SHA-256 of kInputsRecord, pairs.json, report.html and report.json, as
+/// a run left them.
 inline constexpr const char* kReportsRecord = "work/reports.json";
 
 /// What an earlier run left on top must not look whole while this one may change it.

@@ -49,7 +49,7 @@ constexpr std::string_view kFilesOfOut[] = {
     "log.txt",
     "plate.json",  // of a sheet that was found in the photographs
     kReportsRecord,
-    "work/batch.json",
+    kInputsRecord,
     "work/scans.json",
     "work/lock",
     "work/more_candidates.json",
@@ -108,7 +108,10 @@ Result<void> publish(const FolderLock& held, const std::string& number, bool has
 Result<void> publishReports(const fs::path& output, const nlohmann::ordered_json& pairs,
                             const std::string& html, const nlohmann::ordered_json& report) {
   const std::string table = jsonText(pairs), figures = jsonText(report);
-  const nlohmann::ordered_json hashes = {{"pairs.json", sha256(table)},
+  const Result<std::string> inputs = readFile(output / kInputsRecord);
+  if (!inputs) return inputs.error();
+  const nlohmann::ordered_json hashes = {{kInputsRecord, sha256(*inputs)},
+                                         {"pairs.json", sha256(table)},
                                          {"report.html", sha256(html)},
                                          {"report.json", sha256(figures)}};
   if (Result<void> r = writeFileAtomically(output / "pairs.json", table); !r) return r;

@@ -336,6 +336,7 @@ TEST_F(CatalogueCommand, BacksUpBeforeAndAfterResultsAreEntered) {
 TEST_F(CatalogueCommand, EntersTheSamePhotographsTwiceOnlyWithKeepBoth) {
   makeResults(folder_ / "p");
   put("p/batches/B0001/front/a.jpg", "the same");
+  catalogue::ResultFolder::noteInputs(folder_ / "p/results/B0001", folder_ / "p/batches/B0001");
   ASSERT_EQ(run("enter " + at("p") + " B0001"), 0) << said_;
   {
     auto opened = upkeep::Project::open(folder_ / "p");
@@ -344,6 +345,7 @@ TEST_F(CatalogueCommand, EntersTheSamePhotographsTwiceOnlyWithKeepBoth) {
     catalogue::ResultFolder(opened->resultsFolder("B0002"), 2);
   }
   put("p/batches/B0002/back/b.jpg", "the same");
+  catalogue::ResultFolder::noteInputs(folder_ / "p/results/B0002", folder_ / "p/batches/B0002");
   EXPECT_EQ(run("enter " + at("p") + " B0002"), 2);
   EXPECT_EQ(run("enter " + at("p") + " B0002 --keep-both"), 0) << said_;
   EXPECT_EQ(said_["new_sherds"], 2);

@@ -343,6 +343,7 @@ TEST_F(JsonOutput, ResultsOfAClusterFollowTheirSchemas) {
   EXPECT_TRUE(printed_.contains("error")) << "without Slurm: " << printed_;
 
   const ostraka::catalogue::ResultFolder results(prepared, 2);
+  ostraka::catalogue::ResultFolder::noteInputs(prepared, folder_ / "p/batches/B0001");
   program(bin / "ostraka-there", "mkdir -p \"$4\" && cp -r '" + prepared.string() + "/.' \"$4\"\n");
   program(bin / "sbatch", "SLURM_ARRAY_TASK_ID=1 bash \"$2\" > /dev/null 2>&1\necho 4711\n");
   for (const char* silent : {"squeue", "sacct"}) program(bin / silent, "exit 0\n");

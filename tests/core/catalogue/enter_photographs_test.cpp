@@ -128,12 +128,13 @@ TEST_F(EnterPhotographs, TwiceChangesNothingAndAChangedPhotographIsInTheHistory)
 TEST_F(EnterPhotographs, EnteringResultsRecordsThoseThatTheyWereMadeFrom) {
   const std::filesystem::path out = project_->resultsFolder("B0001");
   const ResultFolder results(out, 3);
-  ASSERT_TRUE(writeJson(out / "work/batch.json", nlohmann::ordered_json(*batch::photographsNow(
-                                                     project_->batchFolder("B0001"), {}))));
   photograph("back", 3, 7);
   const auto entered =
       intake::enterResults(catalogue(), project_->folder(), batch, out, anna, quiet, {});
   ASSERT_TRUE(entered) << entered.error().sentence();
+  ASSERT_TRUE(entered->more_photographs);
+  EXPECT_THAT(entered->more_photographs->english(),
+              testing::HasSubstr("1, the first is back/cam1_pos03.jpg."));
   std::vector<std::string> photographs;
   const auto files = Files(catalogue()).of(batch);
   ASSERT_TRUE(files);

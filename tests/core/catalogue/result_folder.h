@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "batch/photographs.h"
 #include "cloud/ply.h"
 #include "decisions/candidate_table.h"
 #include "files/files.h"
@@ -94,6 +95,8 @@ class ResultFolder {
       put(out_ / "work/scans_front" / (name('f', n) + ".ply"), formatPly(cloud, "plate_front"));
       put(out_ / "work/scans_back" / (name('b', n) + ".ply"), formatPly(cloud, "plate_back"));
     }
+    for (const char* stage : {"scans_front", "scans_back", "pairs"})
+      put(out_ / "work" / stage / "stage.json", R"({"files": {}})");
     if (!photographs.empty())
       put(out_ / "work/pairs/candidates.json", decisions::toJson(table).dump());
     put(out_ / "pairs.json", ordered_json({{"unit", "mm"}, {"pairs", pairs}}).dump());
@@ -114,6 +117,14 @@ class ResultFolder {
             .dump());
     put(out_ / "report.html", "<html></html>");
     noteReports(out_);
+    noteInputs(out_, out_.parent_path().parent_path() / "batches" / out_.filename());
+  }
+
+  /// A run read what lies in the batch's folder now.
+  static void noteInputs(const std::filesystem::path& out, const std::filesystem::path& batch) {
+    const batch::PhotographHashes photographs = *batch::photographsNow(batch, {});
+    if (!photographs.empty())
+      put(out / "work/batch.json", nlohmann::ordered_json(photographs).dump());
   }
 
   /// A run wrote the reports as they lie there now.

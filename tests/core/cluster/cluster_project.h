@@ -57,6 +57,7 @@ class ClusterProject : public catalogue::SmallProject {
     for (const char* side : {"front", "back"}) photograph(number, side, shade);
     const fs::path prepared = folder_.path() / "prepared" / number;
     const catalogue::ResultFolder results(prepared, 3);
+    catalogue::ResultFolder::noteInputs(prepared, project_->batchFolder(number));
     for (const char* stage : {"scans_front", "scans_back"}) {
       nlohmann::ordered_json files;
       for (const fs::directory_entry& file : fs::directory_iterator(prepared / "work" / stage))

@@ -28,6 +28,8 @@ class ExportedProject : public catalogue::SmallProject {
     }
     const std::string photograph = "batches/B0001/front/cam0_pos00.jpg";
     put(project_->folder() / photograph, "JPEG");
+    catalogue::ResultFolder::noteInputs(project_->resultsFolder("B0001"),
+                                        project_->batchFolder("B0001"));
     records::FileRecord f;
     f.path = photograph;
     f.sha256 = sha256("JPEG");

@@ -29,7 +29,8 @@ TEST_F(DamagedResults, AreNotEnteredWhereAFileIsCutEmptiedMissingOrALink) {
   };
   for (const char* name :
        {"sherds/02/model.ply", "sherds/02/model.glb", "sherds/02/preview.png", "report.html",
-        "work/model_02/stage.json", "work/texture_02/stage.json", "work/scans_front/f001.ply"}) {
+        "work/model_02/stage.json", "work/texture_02/stage.json", "work/scans_front/f001.ply",
+        "work/scans_front/stage.json", "work/pairs/stage.json"}) {
     SCOPED_TRACE(name);
     const fs::path file = results / name, aside = folder_.path() / "aside";
     const std::string whole = *readFile(file);
@@ -111,6 +112,12 @@ TEST_F(DamagedResults, AreNotEnteredWhereAScanOrAReportIsNotAsItWasWritten) {
     EXPECT_EQ(refusal().where, (results / name).string());
     ASSERT_TRUE(writeFileAtomically(results / name, whole));
   }
+  ASSERT_TRUE(writeJson(results / "work/batch.json", {{"front/a.jpg", "of this batch"}}));
+  nlohmann::ordered_json record = *readJson(results / "work/reports.json");
+  record["files"]["work/batch.json"] = sha256("of another batch");
+  ASSERT_TRUE(writeJson(results / "work/reports.json", record));
+  EXPECT_EQ(refusal().where, (results / "work/batch.json").string());
+  catalogue::ResultFolder::noteReports(results);
   const std::string report = *readFile(results / "report.json");
   nlohmann::ordered_json edited = *readJson(results / "report.json");
   edited["sherds"][0]["figures"]["measures"]["volume_mm3"] = 123456;
@@ -118,9 +125,9 @@ TEST_F(DamagedResults, AreNotEnteredWhereAScanOrAReportIsNotAsItWasWritten) {
   EXPECT_EQ(refusal().where, (results / "report.json").string());
   EXPECT_THAT(refusal().what.english(), testing::HasSubstr("differs from what 'ostraka process'"));
   ASSERT_TRUE(writeFileAtomically(results / "report.json", report));
-  for (const char* record : {"{}", "[]", R"({"files": {}})"}) {
-    ASSERT_TRUE(writeFileAtomically(results / "work/reports.json", record));
-    EXPECT_THAT(refusal().what.english(), testing::HasSubstr("incomplete")) << record;
+  for (const char* other : {"{}", "[]", R"({"files": {}})"}) {
+    ASSERT_TRUE(writeFileAtomically(results / "work/reports.json", other));
+    EXPECT_THAT(refusal().what.english(), testing::HasSubstr("incomplete")) << other;
   }
   fs::remove(results / "work/reports.json");
   EXPECT_EQ(refusal().where, (results / "work/reports.json").string());

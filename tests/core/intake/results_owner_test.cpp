@@ -122,6 +122,25 @@ TEST_F(ResultsOfABatch, OfImportedScansAreToldFromThoseOfOtherScans) {
   EXPECT_FALSE(tryTo(batch, "B0001"));
 }
 
+TEST_F(ResultsOfABatch, ThatDoNotSayWhatTheyWereMadeFromAreRefusedWhereThereArePhotographs) {
+  const fs::path inputs = project_->resultsFolder("B0001") / "work/batch.json";
+  writePhotographs("B0001");
+  const auto refused = [&] {
+    const Result<EnteredResults> entered = tryTo(batch, "B0001");
+    return entered ? std::string("entered") : entered.error().what.english();
+  };
+  for (const char* text : {"{}", R"({"plate.json": "12ab"})"}) {
+    ASSERT_TRUE(writeFileAtomically(inputs, text));
+    EXPECT_THAT(refused(), HasSubstr("do not say which photographs")) << text;
+  }
+  fs::remove(inputs);
+  EXPECT_THAT(refused(), HasSubstr("do not say which photographs"));
+  fs::remove_all(project_->batchFolder("B0001"));
+  recordPhotographs(batch, "B0001");
+  EXPECT_THAT(refused(), HasSubstr("do not say which photographs")) << "on another disk";
+  EXPECT_TRUE(sherds().empty());
+}
+
 TEST_F(ResultsOfABatch, AreNotThoseOfABatchWhoseSidesWereExchanged) {
   writePhotographs("B0001");
   const fs::path folder = project_->batchFolder("B0001");

@@ -144,6 +144,35 @@ TEST_F(NumbersTest, OfTwoComputersComeFromTwoBlocks) {
             std::string::npos);
 }
 
+// 0012 and 12 are two contexts, whose sherds nobody could tell apart by 0001.
+TEST_F(NumbersTest, AreSimilarToNoneOfAnotherSherd) {
+  numbered(context12);
+  numbered(context12);
+  const store::ContextRow twelve = context("12");
+  const std::vector<store::SherdRow> rows = {draft(twelve), draft(twelve)};
+  EXPECT_THAT(*Numbers(catalogue()).propose(rows),
+              ElementsAre("ARM1-T3-12-0003", "ARM1-T3-12-0004"));
+  const std::vector<store::SherdRow> both = {draft(twelve), draft(context12)};
+  EXPECT_THAT(*Numbers(catalogue()).propose(both),
+              ElementsAre("ARM1-T3-12-0003", "ARM1-T3-0012-0004"));
+}
+
+TEST_F(NumbersTest, ComeFromNoBlockThatIsNone) {
+  const store::SherdRow a = draft(context12);
+  for (const char* key : {"numbering.first", "numbering.last"}) {
+    for (const char* text : {"5000000000", "-5", "0", "1e300", "1.5", "x"}) {
+      ASSERT_TRUE(catalogue::Settings(catalogue()).setValue(key, text));
+      const auto refused = Numbers(catalogue()).propose(std::span(&a, 1));
+      ASSERT_FALSE(refused) << key << text;
+      EXPECT_NE(refused.error().what.english().find("'" + std::string(text) + "'"),
+                std::string::npos);
+      EXPECT_FALSE(numberBlock(catalogue()));
+    }
+    ASSERT_TRUE(catalogue::Settings(catalogue()).setValue(key, "7"));
+  }
+  EXPECT_THAT(*Numbers(catalogue()).propose(std::span(&a, 1)), ElementsAre("ARM1-T3-0012-0007"));
+}
+
 TEST_F(NumbersTest, NeedThePlaceThatTheSchemeNames) {
   const Result<std::vector<std::string>> none =
       Numbers(catalogue()).propose(std::vector{draft({})});

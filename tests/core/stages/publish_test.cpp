@@ -55,10 +55,11 @@ TEST(Publish, TellsFilesThatNoRunWritesFromThoseOfARun) {
 TEST(Publish, NotesWhatTheReportsHoldAndWithdrawsThatWithThem) {
   std::string pattern = (fs::temp_directory_path() / "ostraka_publish_XXXXXX").string();
   const fs::path out = ::mkdtemp(pattern.data());
+  ASSERT_TRUE(writeFileAtomically(out / kInputsRecord, R"({"front/a.jpg": "12ab"})"));
   ASSERT_TRUE(publishReports(out, {{"pairs", {1}}}, "<html></html>", {{"sherds", {2}}}));
   EXPECT_EQ(*readJson(out / "report.json"), nlohmann::json({{"sherds", {2}}}));
   const nlohmann::json hashes = readJson(out / kReportsRecord)->at("files");
-  ASSERT_EQ(hashes.size(), 3u);
+  ASSERT_EQ(hashes.size(), 4u);
   for (const auto& [name, hash] : hashes.items())
     EXPECT_EQ(hash, sha256(*readFile(out / name))) << name;
   EXPECT_EQ(filesOfOthers(out), std::vector<std::string>());

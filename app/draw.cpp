@@ -90,7 +90,7 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     drawing::DrawingOptions how = arguments.drawing;
     const auto photographs = how.surface == Surface::Relief
                                  ? std::optional<texture::TexturedMesh>()
-                                 : texture::openedBeside(arguments.models[i]);
+                                 : texture::openedBeside(arguments.models[i], model->mesh);
     if (!photographs)
       how.remarks.push_back(
           Message("Drawn without its photographs: %1", {photographs.error().what}));

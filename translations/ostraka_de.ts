@@ -10789,6 +10789,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Ergebnisse sagen nicht, aus welchen Fotos sie entstanden; sie werden daher nicht eingetragen. %1 noch einmal verarbeiten.</translation>
     </message>
+    <message>
+      <source>The GLB beside this model has another shape, so it is that of another sherd or of an earlier run; put its own beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die GLB neben diesem Modell hat eine andere Form, ist also die einer anderen Scherbe oder einer früheren Verarbeitung; seine eigene daneben legen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

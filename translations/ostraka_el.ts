@@ -10789,6 +10789,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτά τα αποτελέσματα δεν λένε από ποιες φωτογραφίες έγιναν, γι’ αυτό δεν καταχωρίζονται· επεξεργαστείτε ξανά την %1.</translation>
     </message>
+    <message>
+      <source>The GLB beside this model has another shape, so it is that of another sherd or of an earlier run; put its own beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το GLB δίπλα σε αυτό το μοντέλο έχει άλλο σχήμα, άρα ανήκει σε άλλο όστρακο ή σε προηγούμενη επεξεργασία· βάλτε δίπλα το δικό του.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10789,6 +10789,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Estos resultados no dicen de qué fotos proceden, por lo que no se registran; procese %1 de nuevo.</translation>
     </message>
+    <message>
+      <source>The GLB beside this model has another shape, so it is that of another sherd or of an earlier run; put its own beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El GLB que acompaña a este modelo tiene otra forma, así que es de otro fragmento o de un procesamiento anterior; ponga el suyo al lado.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10789,6 +10789,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ces résultats ne disent pas de quelles photos ils proviennent ; ils ne sont donc pas enregistrés. Traitez %1 de nouveau.</translation>
     </message>
+    <message>
+      <source>The GLB beside this model has another shape, so it is that of another sherd or of an earlier run; put its own beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le GLB à côté de ce modèle a une autre forme : c’est celui d’un autre tesson ou d’un traitement antérieur ; placez le sien à côté.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

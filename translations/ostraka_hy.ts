@@ -10789,6 +10789,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս արդյունքները չեն ասում, թե որ լուսանկարներից են ստացվել, ուստի չեն գրանցվում. կրկին մշակեք %1-ը։</translation>
     </message>
+    <message>
+      <source>The GLB beside this model has another shape, so it is that of another sherd or of an earlier run; put its own beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս մոդելի կողքի GLB-ն այլ ձև ունի, ուրեմն այլ բեկորի կամ նախորդ մշակման է. կողքին դրեք նրա սեփականը։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

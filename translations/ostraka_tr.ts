@@ -10737,6 +10737,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu sonuçlar hangi fotoğraflardan yapıldıklarını söylemiyor, bu yüzden kaydedilmiyor; %1 partisini yeniden işleyin.</translation>
     </message>
+    <message>
+      <source>The GLB beside this model has another shape, so it is that of another sherd or of an earlier run; put its own beside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu modelin yanındaki GLB&apos;nin biçimi başka; yani başka bir parçanın ya da önceki bir işlemenin dosyasıdır; yanına kendisininkini koyun.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

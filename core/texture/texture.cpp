@@ -1,5 +1,6 @@
 #include "texture/texture.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
@@ -18,6 +19,23 @@ namespace {
 
 Error nothingShown() {
   return {ErrorCode::NotEnough, message("No photograph shows the sherd."), {}};
+}
+
+Eigen::AlignedBox3f boxOf(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& vertex : mesh.vertices) box.extend(vertex);
+  return box;
+}
+
+// Models of one batch lie where their sherds lay, those of others have other sizes. A GLB is
+// simplified by 0.03 mm, which moves a corner by a few times as much; a model without a scale may
+// be of any size.
+bool areOfOneShape(const TriangleMesh& a, const TriangleMesh& b) {
+  const Eigen::AlignedBox3f of_a = boxOf(a), of_b = boxOf(b);
+  if (of_a.isEmpty() || of_b.isEmpty()) return false;
+  const float most = 0.3f + 0.01f * of_a.diagonal().norm();
+  return (of_a.min() - of_b.min()).cwiseAbs().maxCoeff() <= most &&
+         (of_a.max() - of_b.max()).cwiseAbs().maxCoeff() <= most;
 }
 
 Result<cv::Mat> decoded(const std::string& file, const std::string& where) {
@@ -73,6 +91,16 @@ Result<std::optional<TexturedMesh>> openedGlb(std::string_view glb, const std::s
   if (!*read) return Textured();
   Result<TexturedMesh> made = opened(**read, where);
   return made ? Result<Textured>(std::move(*made)) : made.error();
+}
+
+Result<std::optional<TexturedMesh>> openedBeside(std::filesystem::path model,
+                                                 const TriangleMesh& shape) {
+  Result<std::optional<TexturedMesh>> textured = openedBeside(model);
+  if (textured && *textured && !areOfOneShape(shape, (*textured)->mesh))
+    return Error::unusable(message("The GLB beside this model has another shape, so it is that of "
+                                   "another sherd or of an earlier run; put its own beside it."),
+                           model.string());
+  return textured;
 }
 
 Result<std::optional<TexturedMesh>> openedBeside(std::filesystem::path model) {

@@ -44,7 +44,11 @@ Result<TexturedMesh> opened(const TexturedModel& model, const std::string& where
 Result<std::optional<TexturedMesh>> openedGlb(std::string_view glb, const std::string& where);
 
 /// The same of the GLB that `process` leaves beside a model (its name, ending in .glb); nothing
-/// where there is none.
+/// where there is none. shape: the model itself. Errors: also UnusableInput for the GLB of another
+/// model, whose bounding box differs by more than simplifying can make it.
+Result<std::optional<TexturedMesh>> openedBeside(std::filesystem::path model,
+                                                 const TriangleMesh& shape);
+/// Without looking at the model itself.
 Result<std::optional<TexturedMesh>> openedBeside(std::filesystem::path model);
 
 /// The picture's level, BGR 0..255, at a place of 0..1 from its top left corner, by the four texels

@@ -117,19 +117,19 @@ Result<fs::path> Project::backUp(int keep, int days) const {
 }
 
 Result<bool> Project::backUpIfChanged(std::chrono::milliseconds after) const {
-  const Result<std::int64_t> changed = catalogue_.database().asResult([&] {
-    return catalogue_.database()
-        .sql("SELECT at FROM history ORDER BY number DESC LIMIT 1")
-        .one<std::int64_t>();
-  });
-  if (!changed) return changed.error();
-  // The names sort as their times do.
-  const auto nameAt = [](std::int64_t ms) { return kBackup + timeStamp(ms); };
-  std::string newest;
-  for (const fs::path& copy : backups())
-    if (!isOfLater(copy, catalogue_.now())) newest = std::max(newest, copy.filename().string());
-  if (*changed == 0 || nameAt(*changed) < newest) return false;
-  if (nameAt(catalogue_.now() - after.count()) < newest) return false;
+  const std::int64_t history = catalogue::History(catalogue_).length();
+  if (history == 0) return false;
+  const std::vector<fs::path> copies = backups();
+  if (!copies.empty() && !isOfLater(copies.front(), catalogue_.now())) {
+    // The names sort as their times do.
+    const std::string soon = kBackup + timeStamp(catalogue_.now() - after.count());
+    if (soon < copies.front().filename().string()) return false;
+    // Not by when it was changed: the clock may have been behind then.
+    const Result<records::ProjectRecord> own = catalogue::Settings(catalogue_).project();
+    if (!own) return own.error();
+    const std::optional<Backup> newest = readBackup(copies.front());
+    if (newest && newest->project == own->id && newest->history == history) return false;
+  }
   const Result<fs::path> made = backUp();
   if (!made) return made.error();
   return true;

@@ -94,6 +94,25 @@ TEST(Texture, IsFoundBesideItsModel) {
   EXPECT_FALSE(openedBeside(folder / "model.ply")) << "it is there and cannot be read";
 }
 
+// Two sherds of a batch, or one before and after it was processed again.
+TEST(Texture, BesideAModelOfAnotherShapeIsAnotherModels) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "texture_of_another";
+  std::filesystem::create_directories(folder);
+  const TexturedModel model = painted(cv::Mat3b(4, 4, cv::Vec3b(10, 20, 200)), {});
+  ASSERT_TRUE(writeGlb(folder / "model.glb", formatGlb(model.mesh, model.texture, {})));
+  const auto opens = [&](const TriangleMesh& shape) {
+    const auto made = openedBeside(folder / "model.ply", shape);
+    return made && *made;
+  };
+  EXPECT_TRUE(opens(block({40, 30, 6}, 2)));
+  EXPECT_TRUE(opens(block({40.1f, 30, 6.1f}, 1))) << "as simplifying moves its corners";
+  EXPECT_FALSE(opens(block({44, 30, 6}, 2)));
+  TriangleMesh elsewhere = block({40, 30, 6}, 2);
+  for (Eigen::Vector3f& vertex : elsewhere.vertices) vertex.x() += 60;
+  EXPECT_FALSE(opens(elsewhere)) << "of one size, but where another sherd lay";
+  EXPECT_FALSE(opens({}));
+}
+
 TEST(Texture, ThatNoPageHoldsIsRefusedBeforeItIsDecoded) {
   std::string huge = asPng(cv::Mat3b(2, 4, cv::Vec3b(0, 0, 0)));
   huge[18] = '\x40';  // the width's third byte: 16,388

@@ -97,6 +97,18 @@ TEST_F(Backups, AreMadeOnceAnHourOfWhatWasChanged) {
   EXPECT_EQ(project_->backups().size(), 2u);
 }
 
+TEST_F(Backups, AreMadeOfWhatWasChangedWhileTheClockWasBehind) {
+  using namespace std::chrono_literals;
+  constexpr std::int64_t kHour_ms = 3600 * 1000;
+  ASSERT_EQ(*project_->backUpIfChanged(1h), true);
+  now_ms -= 3 * kHour_ms;
+  numbered(context12);
+  now_ms += 6 * kHour_ms;
+  EXPECT_EQ(*project_->backUpIfChanged(1h), true);
+  now_ms += 2 * kHour_ms;
+  EXPECT_EQ(*project_->backUpIfChanged(1h), false) << "nothing changed since";
+}
+
 // Of a day on which the clock ran ahead, or planted.
 TEST_F(Backups, ThoseOfLaterTakeNoPlaceAndComeLast) {
   const fs::path folder = project_->folder() / "backups";

@@ -112,7 +112,8 @@ Result<Numbering> Numbering::parse(std::string_view scheme) {
 
 Result<NumberBlock> NumberBlock::parse(std::string_view first, std::string_view last) {
   NumberBlock block;
-  for (const auto& [text, number] : {std::pair(first, &block.first), std::pair(last, &block.last)}) {
+  for (const auto& [text, number] :
+       {std::pair(first, &block.first), std::pair(last, &block.last)}) {
     if (text.empty()) continue;
     const auto [end, bad] = std::from_chars(text.data(), text.data() + text.size(), *number);
     if (bad != std::errc() || end != text.data() + text.size() || *number < 1 || *number > kLast)

@@ -421,10 +421,10 @@ Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue, const fs::p
                     recorded.error().code == ErrorCode::Cancelled))
     return recorded.error();
   if (recorded && !recorded->more.empty())
-    done->more_photographs =
-        message("Photographs of %1 that these results were not made from: %2, the first is %3. "
-                "Reprocess the batch to use them.",
-                record->number, recorded->more.size(), recorded->more.front());
+    done->more_photographs = message(
+        "Photographs of %1 that these results were not made from: %2, the first is %3. "
+        "Reprocess the batch to use them.",
+        record->number, recorded->more.size(), recorded->more.front());
   return done;
 }
 

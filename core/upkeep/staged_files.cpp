@@ -147,9 +147,9 @@ Result<std::vector<std::string>> placeStaged(catalogue::Catalogue& catalogue,
   const auto leave = [&](const std::string& to, const StagedFile& file, const Error& why) {
     unplaced[to] = file;
     left.insert(to);
-    progress.note(NoteLevel::Warning,
-                  about(to, inOne(why.what,
-                                  message("It belongs to a merge and waits in %1; moving it to its "
+    progress.note(
+        NoteLevel::Warning,
+        about(to, inOne(why.what, message("It belongs to a merge and waits in %1; moving it to its "
                                           "place is tried again whenever the project is opened.",
                                           (project / kStagingFolder / file.name).string()))));
   };

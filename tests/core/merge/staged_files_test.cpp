@@ -306,12 +306,12 @@ TEST_P(PlantedFiles, NoneComesIntoABatchThatIsNotItsOwnOrSteersTheProgram) {
   EXPECT_FALSE(fs::exists(project_->folder() / GetParam()));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Merge, PlantedFiles,
-    testing::Values("results/B0005/decisions.json", "results/B0005/mask_strokes.json",
-                    "batches/B0005/rig.json", "batches/B0005/scale.json",
-                    "batches/B0005/front/x.jpg", "results/B0009/work/lock", "models/B0001/.hidden",
-                    "imported/a/b.desktop"));
+INSTANTIATE_TEST_SUITE_P(Merge, PlantedFiles,
+                         testing::Values("results/B0005/decisions.json",
+                                         "results/B0005/mask_strokes.json",
+                                         "batches/B0005/rig.json", "batches/B0005/scale.json",
+                                         "batches/B0005/front/x.jpg", "results/B0009/work/lock",
+                                         "models/B0001/.hidden", "imported/a/b.desktop"));
 
 TEST_F(MergedFiles, NoneReplacesAFileThatACatalogueDoesNotKnow) {
   const std::string path = "batches/B0001/front/more.jpg";

@@ -36,6 +36,8 @@ TEST_F(Entering, TakesThePiecesThatAPersonCutAndJoined) {
     const std::string file = "pieces_" + side + "/" + name + ".ply";
     fs::create_directories(work / ("pieces_" + side));
     fs::copy_file(work / ("scans_" + side) / (name + ".ply"), work / file);
+    fs::copy_file(work / ("scans_" + side) / "stage.json", work / ("pieces_" + side) / "stage.json",
+                  fs::copy_options::skip_existing);
     const double x_mm = 40.0 * (name.back() - '0');
     candidates[side + "s"].push_back({{"id", name}, {"file", file}, {"place_mm", {x_mm, 0}}});
   };

@@ -121,7 +121,7 @@ class MergeTest : public QObject {
                             .setValue("merge.files", R"({"results/B0009/report.json":["1",")" +
                                                          sha256("of before") + R"("]})"));
     compare();
-    QVERIFY2(model_->notes().contains("kept as it is here"), qPrintable(model_->notes()));
+    QVERIFY2(model_->notes().contains("What lies there is kept"), qPrintable(model_->notes()));
     QVERIFY2(model_->notes().contains("results/B0009"), qPrintable(model_->notes()));
   }
 

@@ -19,7 +19,11 @@ using testing::HasSubstr;
 // B0001 has three photographs a side, and results of three sherds that are not entered yet.
 class TheSamePhotographs : public Entering {
  protected:
-  TheSamePhotographs() { photograph("B0001", "of B0001 "); }
+  TheSamePhotographs() {
+    photograph("B0001", "of B0001 ");
+    catalogue::ResultFolder::noteInputs(project_->resultsFolder("B0001"),
+                                        project_->batchFolder("B0001"));
+  }
   void put(const std::string& number, const std::string& name, const std::string& bytes) {
     ASSERT_TRUE(writeFileAtomically(project_->batchFolder(number) / name, bytes));
   }

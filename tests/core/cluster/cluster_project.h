@@ -55,7 +55,7 @@ class ClusterProject : public catalogue::SmallProject {
     const std::string number = catalogue::Batches(catalogue()).get(row)->number;
     const int shade = static_cast<int>(row.value % 200);
     for (const char* side : {"front", "back"}) photograph(number, side, shade);
-    const fs::path prepared = folder_.path() / "prepared" / number;
+    const fs::path prepared = preparedFor(number);
     const catalogue::ResultFolder results(prepared, 3);
     catalogue::ResultFolder::noteInputs(prepared, project_->batchFolder(number));
     for (const char* stage : {"scans_front", "scans_back"}) {
@@ -68,13 +68,18 @@ class ClusterProject : public catalogue::SmallProject {
     EXPECT_TRUE(catalogue::Batches(catalogue()).setState(row, records::BatchState::Queued, anna));
     return row;
   }
-  /// Anew with another shade.
+  fs::path preparedFor(const std::string& number) const {
+    return folder_.path() / "prepared" / number;
+  }
+  /// Anew with another shade; the next computation reads these.
   void photograph(const std::string& number, const std::string& side, int shade) const {
     const fs::path folder = project_->batchFolder(number) / side;
     fs::create_directories(folder);
     for (int stop = 0; stop < 4; ++stop)
       cv::imwrite((folder / ("cam0_pos0" + std::to_string(stop) + ".png")).string(),
                   cv::Mat(12, 16, CV_8UC3, cv::Scalar(shade, 40 * stop, side[0])));
+    if (fs::exists(preparedFor(number)))
+      catalogue::ResultFolder::noteInputs(preparedFor(number), project_->batchFolder(number));
   }
   records::BatchState stateOf(store::BatchRow row) {
     return catalogue::Batches(catalogue()).get(row)->state;

@@ -93,8 +93,6 @@ TEST_F(Collect, ResultsOfEarlierPhotographsAreNotEnteredThoughTheBatchWaitsAgain
   EXPECT_EQ(sherdsOf(one), 0u);
   EXPECT_EQ(stateOf(one), records::BatchState::Queued);
   EXPECT_THAT(submitAll()->batches, ElementsAre("B0001"));
-  catalogue::ResultFolder::noteInputs(folder_.path() / "prepared/B0001",
-                                      project_->batchFolder("B0001"));
   runTasks();
   EXPECT_THAT(collectAll().batches, ElementsAre("B0001"));
   EXPECT_EQ(sherdsOf(one), 3u);

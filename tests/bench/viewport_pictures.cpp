@@ -49,7 +49,7 @@ struct Studio {
 };
 
 ShownScan shown(const review::ScanCloud& scan) {
-  return {scan.cloud, scan.fracture};
+  return {scan.cloud, scan.fracture, scan.strip_point};
 }
 
 }  // namespace
@@ -75,13 +75,9 @@ int main(int argc, char** argv) {
   const ShownScan back = scan(batch::Side::Back, back_scan, 60000);
   const ShownScan sparse_front = scan(batch::Side::Front, front_scan, 1500);
   const ShownScan sparse_back = scan(batch::Side::Back, back_scan, 1500);
-  ShownDistances distances;
   const Result<review::PairView> pair = (*live)->view(front_scan, back_scan, pose);
   if (!pair) return std::fprintf(stderr, "%s\n", pair.error().what.english().c_str()), 1;
-  for (const registration::FractureDistance& d : pair->fracture) {
-    distances.points.push_back(d.point);
-    distances.distance_mm.push_back(d.distance_mm);
-  }
+  const ShownDistances distances{pair->fracture.front_mm, pair->fracture.back_mm};
   Studio studio;
   studio.folder = QString::fromLocal8Bit(argv[2]);
   QDir().mkpath(studio.folder);

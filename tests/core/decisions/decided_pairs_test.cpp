@@ -284,7 +284,8 @@ TEST_F(DecidedPairs, TheViewLaysBothSidesOnEachOther) {
   for (std::size_t i = 0; i < 200; ++i)
     squares += std::pow(view->front_turns[i] - view->back_turns[i], 2);
   EXPECT_LT(std::sqrt(squares / 200), 0.6) << "two sides of one sherd";
-  EXPECT_GT(view->fracture.size(), 300u);
+  EXPECT_GT(view->fracture.front_mm.size(), 300u);
+  EXPECT_GT(view->fracture.back_mm.size(), 300u);
 }
 
 TEST_F(DecidedPairs, APairThatTheProgramDidNotCompareIsComparedOnDemand) {

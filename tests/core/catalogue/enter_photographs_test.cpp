@@ -129,11 +129,12 @@ TEST_F(EnterPhotographs, EnteringResultsRecordsThoseThatTheyWereMadeFrom) {
   const std::filesystem::path out = project_->resultsFolder("B0001");
   const ResultFolder results(out, 3);
   photograph("back", 3, 7);
+  photograph("back", 4, 9);
   const auto entered =
       intake::enterResults(catalogue(), project_->folder(), batch, out, anna, quiet, {});
   ASSERT_TRUE(entered) << entered.error().sentence();
   ASSERT_TRUE(entered->more_photographs);
-  EXPECT_NE(entered->more_photographs->english().find("1, the first is back/cam1_pos03.jpg."),
+  EXPECT_NE(entered->more_photographs->english().find("1, the first is back/cam1_pos04.jpg."),
             std::string::npos);
   std::vector<std::string> photographs;
   const auto files = Files(catalogue()).of(batch);
@@ -143,6 +144,7 @@ TEST_F(EnterPhotographs, EnteringResultsRecordsThoseThatTheyWereMadeFrom) {
   EXPECT_EQ(photographs.size(), 7u);
   EXPECT_EQ(std::ranges::count(photographs, "batches/B0001/back/cam1_pos03.jpg"), 0)
       << "another than the one that was processed";
+  EXPECT_EQ(std::ranges::count(photographs, "batches/B0001/back/cam1_pos04.jpg"), 0) << "later";
 }
 
 }  // namespace

@@ -40,6 +40,8 @@ class TheSamePhotographs : public Entering {
     return row;
   }
   Result<EnteredResults> enterSecond(store::BatchRow row) {
+    catalogue::ResultFolder::noteInputs(project_->resultsFolder("B0002"),
+                                        project_->batchFolder("B0002"));
     return enterResults(catalogue(), project_->folder(), row, project_->resultsFolder("B0002"), {},
                         quiet, {});
   }

@@ -82,7 +82,7 @@ MaskPage::MaskPage(QWidget* parent)
 
 void MaskPage::buildLayout() {
   title_->setFont(scaledFont(*this, Look::kSection, true));
-  which_->setMinimumContentsLength(kLettersOfAName);
+  which_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   width_->setRange(kLeastWidth_px, kMostWidth_px);
   width_->setValue(kUsualWidth_px);
   width_->setFixedWidth(fontMetrics().averageCharWidth() * 20);
@@ -135,7 +135,7 @@ void MaskPage::setCompact(bool compact) {
   constexpr int kShort = 12;  // letters; the list that opens has room for all
   which_->setSizeAdjustPolicy(compact ? QComboBox::AdjustToMinimumContentsLengthWithIcon
                                       : QComboBox::AdjustToContents);
-  which_->setMinimumContentsLength(compact ? kShort : 0);
+  which_->setMinimumContentsLength(compact ? kShort : kLettersOfAName);
   width_->setFixedWidth(fontMetrics().averageCharWidth() * (compact ? kShort : 20));
   tools_->setCompact(compact);
   told_->setVisible(!compact);

@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "batch/photographs.h"
 #include "cloud/ply.h"
 #include "decisions/candidate_table.h"
 #include "files/files.h"
 #include "files/json.h"
+#include "noted_results.h"
 
 namespace ostraka::catalogue {
 
 /// Writes OUT as `ostraka process` leaves it: n fronts, n backs, pairs i-i with models.
-class ResultFolder {
+class ResultFolder : public NotedResults {
  public:
   ResultFolder(std::filesystem::path out, int n) : out_(std::move(out)) {
     for (int i = 1; i <= n; ++i) {
@@ -120,39 +120,8 @@ class ResultFolder {
     noteInputs(out_, out_.parent_path().parent_path() / "batches" / out_.filename());
   }
 
-  /// A run read what lies in the batch's folder now.
-  static void noteInputs(const std::filesystem::path& out, const std::filesystem::path& batch) {
-    const batch::PhotographHashes photographs = *batch::photographsNow(batch, {});
-    if (!photographs.empty())
-      put(out / "work/batch.json", nlohmann::ordered_json(photographs).dump());
-  }
-
-  /// A run wrote the reports as they lie there now.
-  static void noteReports(const std::filesystem::path& out) {
-    nlohmann::ordered_json files;
-    for (const char* name : {"report.json", "report.html", "pairs.json"})
-      files[name] = sha256(*readFile(out / name));
-    put(out / "work/reports.json", nlohmann::ordered_json({{"files", files}}).dump());
-  }
-
-  /// The stages that made this sherd's model and its texture left them as they lie there now.
-  static void noteModel(const std::filesystem::path& out, const std::string& number) {
-    const auto note = [&](const std::string& stage, const std::vector<std::string>& names) {
-      nlohmann::ordered_json files;
-      for (const std::string& file : names)
-        files[file] = sha256(*readFile(out / "sherds" / number / file));
-      put(out / "work" / (stage + number) / "stage.json",
-          nlohmann::ordered_json({{"files", files}}).dump());
-    };
-    note("model_", {"model.ply"});
-    note("texture_", {"model.glb", "preview.png"});
-  }
-
  private:
   static std::string name(char side, int index) { return side + ("00" + std::to_string(index)); }
-  static void put(const std::filesystem::path& path, const std::string& bytes) {
-    if (!writeFileAtomically(path, bytes)) throw std::runtime_error(path.string());
-  }
   std::filesystem::path out_;
   std::vector<Pair> pairs_;
 };

@@ -206,7 +206,7 @@ class SmallWindowTest : public QObject {
     window_->resize(1280, 720);
     const QWidget* model = named<QWidget>(*window_, "model");
     QTRY_VERIFY(details->isVisible() && model->isVisible());
-    QTRY_VERIFY2(10 * details->height() > 17 * model->height(), "two thirds are the details'");
+    QTRY_VERIFY2(10 * details->height() > 12 * model->height(), "four sevenths are the details'");
     const int beside = details->height();
     QTest::mouseClick(toggle, Qt::LeftButton);
     QTRY_VERIFY(!model->isVisible() && details->height() > beside);

@@ -24,7 +24,7 @@ constexpr int kFewestWitnesses = 4;
 constexpr double kSomeAgree = 0.2;  // of the photographs that see a place; others look past a sherd
 constexpr double kMostAgree = 0.5;  // where noise and the grain of dark clay are hard to tell apart
 constexpr float kDark = -0.9F;
-constexpr int kByChance = 2;  // photographs that see the same, each another white part of a thing
+constexpr int kByChance = 2;  // photographs that agree, each on another white part of a thing
 constexpr int kShadeWindow = 5;  // of half the cells: 3 mm
 // The least share of a shadow's border along which the photographs agree on bright sheet: 0.3 to 1
 // by all lamps tried, less than 0.1 around even clay.
@@ -258,10 +258,10 @@ class SheetPainter {
     picture_.standing = standing(rests, counts, agreed);
   }
 
-  // Plain paper that many look at and of whom no three see the same there: they look at something
-  // before it, each at another part of it. Below what overhangs, those from low down do agree.
-  // Photographs were compared over a window, so the place is too large by half of one all around,
-  // and where a shadow ends as narrow as one.
+  // Plain paper that many photographs look at and no three show alike: they look at something in
+  // front of it, each at another part. Those taken from low down do agree on what lies below an
+  // overhang. Photographs were compared over a window, so the place is too large by half of one all
+  // around, and where a shadow ends it is as narrow as one.
   cv::Mat1b standing(const std::vector<SheetRest>& rests, const std::vector<cv::Mat1b>& counts,
                      const cv::Mat1f& agreed) const {
     cv::Mat1b stands(agreed.size(), uchar{0});

@@ -98,12 +98,8 @@ int runDraw(const DrawArguments& arguments, Session& session) {
       how.photographs = &**photographs;
     Result<SherdDrawing> drawing = drawSherd(model->mesh, id, how);
     if (!drawing) return fail(session, drawing.error());
-    if (*as == DrawnAs::Pictures) {
-      Result<std::string> picture =
-          formatPicture(pictureOf(model->mesh, *drawing, how), arguments.output);
-      if (!picture) return fail(session, picture.error());
-      pictures.push_back(std::move(*picture));
-    }
+    if (*as == DrawnAs::Pictures)
+      pictures.push_back(formatPicture(pictureOf(model->mesh, *drawing, how), arguments.output));
     list.push_back(asJson(*drawing));
     drawings.push_back(std::move(*drawing));
   }

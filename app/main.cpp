@@ -102,7 +102,7 @@ int runCommandLine(int argc, char** argv) {
       return refuse(CLI::ExtrasError(extra), root, argc, argv);
     return refuse(error, root, argc, argv);
   }
-  if (!chosen) return app::openWindow(argc, argv, project);
+  if (!chosen) return app::openWindow(project);
   return run(chosen, json, quiet, verbose);
 }
 

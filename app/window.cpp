@@ -7,41 +7,42 @@
 #include <cstdio>
 #include <filesystem>
 #include <optional>
+#include <string>
 
-#ifdef OSTRAKA_WITH_WINDOW
-#include "ui/main/run_window.h"
-#endif
-
+#include "base/program_parts.h"
 #include "command.h"
 
 namespace ostraka::app {
+namespace {
 
-int openWindow([[maybe_unused]] int argc, [[maybe_unused]] char** argv,
-               [[maybe_unused]] const std::string& project) {
-#ifdef OSTRAKA_WITH_WINDOW
-  std::optional<std::filesystem::path> folder;
-  if (!project.empty()) folder = project;
-  return ui::runWindow(argc, argv, folder);
-#else
-  std::fputs("This Ostraka was built without its window; see ostraka --help for the commands.\n",
+constexpr const char* kWindow = "ostraka-window";
+
+}  // namespace
+
+// The window is a program of its own, so that commands start without its libraries, and run on
+// computers that lack them. It takes this one's place.
+int openWindow(const std::string& project) {
+  const std::string program = programPart(kWindow).string();
+  ::execl(program.c_str(), "ostraka", project.empty() ? nullptr : project.c_str(), nullptr);
+  std::fputs("Ostraka's window is not installed here; see ostraka --help for the commands.\n",
              stderr);
   return UnusableInputStatus;
-#endif
 }
 
-#ifdef OSTRAKA_WITH_WINDOW
-
 std::string openGlWords(std::optional<bool>& works) {
+  works.reset();
+  const std::string program = programPart(kWindow).string();
+  if (::access(program.c_str(), X_OK) != 0) return "not looked at: the window is not installed";
   works = false;
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0) return "could not be looked at";
   const pid_t child = ::fork();
   if (child == 0) {
+    ::dup2(ends[1], STDOUT_FILENO);
     ::close(ends[0]);
-    const std::string words = ui::openGlOfThisComputer(works);
-    const std::string answer = (!works ? "?" : *works ? "+" : "-") + words;
-    const ssize_t written = ::write(ends[1], answer.data(), answer.size());
-    ::_exit(written < 0 ? 1 : 0);
+    ::close(ends[1]);
+    ::execl(program.c_str(), "ostraka", kLookAtOpenGl, nullptr);
+    ::_exit(1);
   }
   ::close(ends[1]);
   std::string answer;
@@ -55,14 +56,5 @@ std::string openGlWords(std::optional<bool>& works) {
   works = answer[0] == '?' ? std::nullopt : std::optional(answer[0] == '+');
   return answer.substr(1);
 }
-
-#else
-
-std::string openGlWords(std::optional<bool>& works) {
-  works.reset();
-  return "not looked at: built without the window";
-}
-
-#endif
 
 }  // namespace ostraka::app

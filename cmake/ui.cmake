@@ -29,7 +29,7 @@ function(ostraka_ui_test name)
   add_executable(${target} ${A_OFFSCREEN} ${A_WINDOW})
   set_target_properties(${target} PROPERTIES AUTOMOC ON OSTRAKA_LEVEL 0
     AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc)
-  target_link_libraries(${target} PRIVATE ${A_LINKS} ostraka_ui_program)
+  target_link_libraries(${target} PRIVATE ${A_LINKS} ostraka_ui_program opencv_imgcodecs)
   target_precompile_headers(${target} REUSE_FROM ostraka_qt_tests)
   set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp
     PROPERTIES SKIP_PRECOMPILE_HEADERS ON)  # it is empty, and reading them takes two seconds

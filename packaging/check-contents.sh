@@ -18,7 +18,7 @@ if [ -f "$what" ]; then
   depends=$(dpkg-deb -f "$what" Depends)
   # Found by the linker's needs; Qt's plugins and the camera drivers come with these.
   for library in libc6 libstdc++6 libqt6widgets6 libqt6svg6 libopencv-core libembree3 libgphoto2-6 \
-    libusb-1.0-0 libsqlite3-0 libheif1 libraw20 libvtk9 libpcl-features; do
+    libusb-1.0-0 libopencv-videoio libsqlite3-0 libheif1 libraw20 libvtk9 libpcl-features; do
     case "$depends" in
       *"$library"*) ;;
       *) wrong "the package does not depend on $library" ;;

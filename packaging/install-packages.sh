@@ -19,7 +19,7 @@ packages="
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
   libvtk9-dev pkgconf poppler-utils xvfb xauth openbox libgl1-mesa-dri fonts-dejavu-core
   libumockdev-dev umockdev libeatmydata1
-  libicu-dev libfreetype-dev libfontconfig-dev libjpeg-dev libembree-dev nlohmann-json3-dev libcli11-dev libssl-dev
+  libicu-dev libfreetype-dev libfontconfig-dev libjpeg-dev libpng-dev libtiff-dev libembree-dev nlohmann-json3-dev libcli11-dev libssl-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   python3 python3-numpy python3-scipy colmap
   slurm-wlm munge rsync openssh-client

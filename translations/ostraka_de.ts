@@ -5850,11 +5850,6 @@
       <translation>Dieses Programm ist nicht installiert.</translation>
     </message>
     <message>
-      <source>The picture cannot be decoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Bild lässt sich nicht entschlüsseln.</translation>
-    </message>
-    <message>
       <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Fotos zeigen keinen gemeinsamen Gegenstand; die Kameras prüfen oder Masken angeben.</translation>
@@ -6738,6 +6733,11 @@
       <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Videokamera liefert Bilder von %1x%2 Pixeln, nicht von der eingestellten Größe.</translation>
+    </message>
+    <message>
+      <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Teil von Ostraka, den Videokameras brauchen, lässt sich nicht laden; Ostraka neu installieren.</translation>
     </message>
     <message>
       <source>The video camera must be named.</source>
@@ -9343,11 +9343,6 @@
       <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine zwei Ansichten stimmen in einem Punkt der Oberfläche überein; Kameras und Masken prüfen.</translation>
-    </message>
-    <message>
-      <source>The picture could not be encoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Bild ließ sich nicht kodieren.</translation>
     </message>
     <message>
       <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>

@@ -5850,11 +5850,6 @@
       <translation>Αυτό το πρόγραμμα δεν είναι εγκατεστημένο.</translation>
     </message>
     <message>
-      <source>The picture cannot be decoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η εικόνα δεν αποκωδικοποιείται.</translation>
-    </message>
-    <message>
       <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν βρέθηκε σώμα στο οποίο συμφωνούν οι φωτογραφίες· ελέγξτε τις κάμερες ή δώστε μάσκες.</translation>
@@ -6738,6 +6733,11 @@
       <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η βιντεοκάμερα δίνει εικόνες %1x%2 εικονοστοιχείων, όχι του μεγέθους που ορίστηκε.</translation>
+    </message>
+    <message>
+      <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το τμήμα του Ostraka που χρειάζονται οι βιντεοκάμερες δεν φορτώνεται· εγκαταστήστε ξανά το Ostraka.</translation>
     </message>
     <message>
       <source>The video camera must be named.</source>
@@ -9343,11 +9343,6 @@
       <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν βρέθηκε σημείο της επιφάνειας στο οποίο συμφωνούν δύο λήψεις· ελέγξτε κάμερες και μάσκες.</translation>
-    </message>
-    <message>
-      <source>The picture could not be encoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η εικόνα δεν κωδικοποιήθηκε.</translation>
     </message>
     <message>
       <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>

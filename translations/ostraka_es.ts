@@ -5850,11 +5850,6 @@
       <translation>Este programa no está instalado.</translation>
     </message>
     <message>
-      <source>The picture cannot be decoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La imagen no se puede descodificar.</translation>
-    </message>
-    <message>
       <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las fotos no muestran ningún objeto común; revise las cámaras o dé máscaras.</translation>
@@ -6738,6 +6733,11 @@
       <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara de vídeo da imágenes de %1x%2 píxeles, no del tamaño ajustado.</translation>
+    </message>
+    <message>
+      <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede cargar la parte de Ostraka que necesitan las cámaras de vídeo; vuelva a instalar Ostraka.</translation>
     </message>
     <message>
       <source>The video camera must be named.</source>
@@ -9343,11 +9343,6 @@
       <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay dos vistas que coincidan en ningún punto de la superficie; revise cámaras y máscaras.</translation>
-    </message>
-    <message>
-      <source>The picture could not be encoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se pudo codificar la imagen.</translation>
     </message>
     <message>
       <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>

@@ -5850,11 +5850,6 @@
       <translation>Ce programme n’est pas installé.</translation>
     </message>
     <message>
-      <source>The picture cannot be decoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’image ne peut pas être décodée.</translation>
-    </message>
-    <message>
       <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les photos ne montrent aucun objet commun ; vérifiez les appareils, ou donnez des masques.</translation>
@@ -6738,6 +6733,11 @@
       <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La caméra vidéo donne des images de %1x%2 pixels, pas de la taille réglée.</translation>
+    </message>
+    <message>
+      <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La partie d’Ostraka dont les caméras vidéo ont besoin ne peut pas être chargée ; réinstallez Ostraka.</translation>
     </message>
     <message>
       <source>The video camera must be named.</source>
@@ -9343,11 +9343,6 @@
       <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune paire de vues ne s’accorde sur un point de la surface ; vérifiez les appareils et les masques.</translation>
-    </message>
-    <message>
-      <source>The picture could not be encoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’image n’a pas pu être encodée.</translation>
     </message>
     <message>
       <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>

@@ -5850,11 +5850,6 @@
       <translation>Այս ծրագիրը տեղադրված չէ։</translation>
     </message>
     <message>
-      <source>The picture cannot be decoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նկարը հնարավոր չէ ապակոդավորել։</translation>
-    </message>
-    <message>
       <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չգտնվեց մարմին, որի շուրջ լուսանկարները համընկնում են. ստուգեք տեսախցիկները կամ տվեք դիմակներ։</translation>
@@ -6738,6 +6733,11 @@
       <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վիդեոտեսախցիկը տալիս է %1x%2 պիքսել պատկերներ, ոչ թե սահմանված չափի։</translation>
+    </message>
+    <message>
+      <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka-ի այն մասը, որն անհրաժեշտ է տեսախցիկներին, չի բեռնվում. նորից տեղադրեք Ostraka-ն։</translation>
     </message>
     <message>
       <source>The video camera must be named.</source>
@@ -9343,11 +9343,6 @@
       <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մակերևույթի ոչ մի կետ չգտնվեց, որի շուրջ երկու տեսք համընկնեն. ստուգեք տեսախցիկներն ու դիմակները։</translation>
-    </message>
-    <message>
-      <source>The picture could not be encoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պատկերը կոդավորել չհաջողվեց։</translation>
     </message>
     <message>
       <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>

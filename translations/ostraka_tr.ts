@@ -5798,11 +5798,6 @@
       <translation>Bu program kurulu değil.</translation>
     </message>
     <message>
-      <source>The picture cannot be decoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Resmin kodu çözülemiyor.</translation>
-    </message>
-    <message>
       <source>The photographs show no common object; check the cameras, or provide masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğrafların uyuştuğu bir cisim bulunamadı; kameraları denetleyin ya da maske verin.</translation>
@@ -6686,6 +6681,11 @@
       <source>The video camera delivers pictures of %1x%2 pixels instead of the configured size.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Video kamera ayarlanan boyutta değil, %1x%2 piksellik resimler veriyor.</translation>
+    </message>
+    <message>
+      <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka’nın video kameraların gerek duyduğu parçası yüklenemiyor; Ostraka’yı yeniden kurun.</translation>
     </message>
     <message>
       <source>The video camera must be named.</source>
@@ -9291,11 +9291,6 @@
       <source>No two views agree on any surface point; check cameras and masks.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İki görünümün uyuştuğu hiçbir yüzey noktası bulunamadı; kameraları ve maskeleri denetleyin.</translation>
-    </message>
-    <message>
-      <source>The picture could not be encoded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Resim kodlanamadı.</translation>
     </message>
     <message>
       <source>The %1 sherds do not fit on the plate; use fewer, or another seed.</source>

@@ -11,8 +11,8 @@
 #include "base/message.h"
 #include "base/parallel.h"
 #include "base/text.h"
-#include "batch/image_header.h"
 #include "batch/photographs.h"
+#include "images/image_header.h"
 
 namespace ostraka::batch {
 namespace fs = std::filesystem;
@@ -212,7 +212,7 @@ class Reader {
             message("Another photograph has the same camera and position; this one is left out."));
         continue;
       }
-      const Result<ImageSize> size = readImageSize(file);
+      const Result<images::ImageSize> size = images::readImageSize(file);
       if (!size) {
         left_out.add(size.error().sentence());
         progress_.note(NoteLevel::Warning,
@@ -281,10 +281,10 @@ class Reader {
 
   // The size that most photographs of a camera have; the smaller one where two are as frequent, so
   // that the outcome does not depend on an order.
-  std::map<int, ImageSize> usualSizes() const {
+  std::map<int, images::ImageSize> usualSizes() const {
     std::map<int, std::map<std::pair<int, int>, int>> counts;
     for (const Shot& shot : batch_.shots) ++counts[shot.camera][{shot.width, shot.height}];
-    std::map<int, ImageSize> usual;
+    std::map<int, images::ImageSize> usual;
     for (const auto& [camera, sizes] : counts) {
       const auto most =
           std::ranges::max_element(sizes, {}, [](const auto& one) { return one.second; });
@@ -294,9 +294,9 @@ class Reader {
   }
 
   void keepOneSizePerCamera() {
-    const std::map<int, ImageSize> usual = usualSizes();
+    const std::map<int, images::ImageSize> usual = usualSizes();
     std::erase_if(batch_.shots, [&](const Shot& shot) {
-      const ImageSize size{shot.width, shot.height}, expected = usual.at(shot.camera);
+      const images::ImageSize size{shot.width, shot.height}, expected = usual.at(shot.camera);
       if (size == expected) return false;
       leaveOut(left_out_[shot.side], shot.file,
                message("The image has %1 x %2 pixels, but the photographs from its camera have "
@@ -325,7 +325,7 @@ class Reader {
   }
 
   void collectCalibration() {
-    const std::map<int, ImageSize> usual = usualSizes();
+    const std::map<int, images::ImageSize> usual = usualSizes();
     for (const fs::path& file : imagesIn(batch_.folder / "calib")) {
       CalibrationShot shot;
       shot.file = file;
@@ -341,7 +341,7 @@ class Reader {
       }
       const auto expected = usual.find(shot.camera);
       if (expected == usual.end()) continue;  // of a camera that took no photograph
-      const Result<ImageSize> size = readImageSize(file);
+      const Result<images::ImageSize> size = images::readImageSize(file);
       if (!size)
         progress_.note(NoteLevel::Warning,
                        inOne(size.error().sentence(), message("This picture is left out.")));

@@ -12,8 +12,8 @@
 
 #include "base/limits.h"
 #include "base/text.h"
-#include "batch/heif_image.h"
 #include "files/open_folder.h"
+#include "images/heif_image.h"
 
 namespace ostraka::batch {
 namespace {
@@ -147,8 +147,8 @@ std::optional<std::int64_t> Exif::takenMs() const {
 }
 
 Exif exifIn(std::string_view bytes) {
-  if (isHeif(bytes)) {
-    const std::string tiff = heifExif(bytes);
+  if (images::isHeif(bytes)) {
+    const std::string tiff = images::heifExif(bytes);
     return isTiff(tiff) ? exifIn(tiff) : Exif();
   }
   const bool jpeg = bytes.starts_with("\xff\xd8");
@@ -182,7 +182,7 @@ Exif readExif(const std::filesystem::path& file) {
   if (!in || static_cast<std::uint64_t>(in->bytes()) > limits::kImageBytes.most) return {};
   std::string bytes(std::min(kHead_bytes, static_cast<std::size_t>(in->bytes())), '\0');
   if (!in->read(bytes)) return {};
-  if (isTiff(bytes) || isHeif(bytes)) {  // the block may stand at its end
+  if (isTiff(bytes) || images::isHeif(bytes)) {  // the block may stand at its end
     const std::size_t head = bytes.size();
     bytes.resize(static_cast<std::size_t>(in->bytes()));
     if (!in->read(std::span(bytes).subspan(head))) bytes.resize(head);

@@ -1,15 +1,13 @@
 #include "batch/label_mask.h"
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
 
 #include "base/limits.h"
-#include "base/message.h"
-#include "batch/image_header.h"
-#include "batch/photograph.h"
 #include "files/files.h"
+#include "images/decode.h"
+#include "images/jpeg_image.h"
 
 namespace ostraka::batch {
 namespace {
@@ -34,13 +32,11 @@ cv::Mat withoutAlpha(const cv::Mat& labels) {
 Result<cv::Mat1b> readLabelMask(const std::filesystem::path& file) {
   const Result<std::string> bytes = readFile(file, limits::kImageBytes.most);
   if (!bytes) return bytes.error();
-  const Result<ImageSize> size = imageSize(*bytes, file.string());
-  if (!size) return size.error();
-  const cv::Mat labels = decodedByOpenCv(*bytes, cv::IMREAD_UNCHANGED);
-  if (labels.cols != size->width || labels.rows != size->height)
-    return undecodableImage(file.string());
-  const bool jpeg = bytes->starts_with("\xFF\xD8");
-  const cv::Mat planes = withoutAlpha(labels);
+  const Result<cv::Mat> labels =
+      images::decodeImage(*bytes, images::Values::AsStored, file.string());
+  if (!labels) return labels.error();
+  const bool jpeg = images::isJpeg(*bytes);
+  const cv::Mat planes = withoutAlpha(*labels);
   cv::Mat1b inside(planes.rows, planes.cols, uchar{0});
   for (int channel = 0; channel < planes.channels(); ++channel) {
     cv::Mat plane;

@@ -3,52 +3,23 @@
 #include <cmath>
 #include <new>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "base/limits.h"
-#include "base/message.h"
 #include "base/text.h"
-#include "batch/heif_image.h"
-#include "batch/image_header.h"
-#include "batch/jpeg_image.h"
-#include "batch/raw_image.h"
 #include "files/files.h"
+#include "images/decode.h"
 
 namespace ostraka::batch {
 namespace {
 
-Result<cv::Mat> decoded(std::string_view bytes, const std::string& where, int flags) {
-  // What a RAW file's own size is comes out only with its values, which takes as long again.
-  if (hasRawEnding(where)) return decodeRaw(bytes, where);
-  const Result<ImageSize> size = imageSize(bytes, where);
-  if (!size) return size.error();
-  const Result<cv::Mat> image =
-      isHeif(bytes)   ? decodeHeif(bytes, where)
-      : isJpeg(bytes) ? decodeJpeg(bytes, *size, flags == cv::IMREAD_GRAYSCALE ? 1 : 3, where)
-                      : Result<cv::Mat>(decodedByOpenCv(bytes, flags));
-  if (!image) return image.error();
-  if (image->empty() || image->cols != size->width || image->rows != size->height)
-    return undecodableImage(where);
-  return *image;
-}
-
-Result<cv::Mat> readImage(const std::filesystem::path& file, int flags) {
+Result<cv::Mat> readImage(const std::filesystem::path& file, images::Values values) {
   const Result<std::string> bytes = readFile(file, limits::kImageBytes.most);
   if (!bytes) return bytes.error();
-  return decoded(*bytes, file.string(), flags);
+  return images::decodeImage(*bytes, values, file.string());
 }
 
 }  // namespace
-
-cv::Mat decodedByOpenCv(std::string_view bytes, int flags) {
-  try {
-    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-    return cv::imdecode(raw, flags | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception&) {
-    return {};
-  }
-}
 
 void makeOpenCvThrowBadAlloc() {
   cv::redirectError([](int status, const char*, const char*, const char*, int, void*) -> int {
@@ -64,15 +35,15 @@ bool hasPhotographEnding(const std::filesystem::path& file) {
 }
 
 Result<cv::Mat> readPhotograph(const std::filesystem::path& file) {
-  return readImage(file, cv::IMREAD_COLOR);
+  return readImage(file, images::Values::Bgr);
 }
 
 Result<cv::Mat> decodePhotograph(std::string_view bytes, const std::string& where) {
-  return decoded(bytes, where, cv::IMREAD_COLOR);
+  return images::decodeImage(bytes, images::Values::Bgr, where);
 }
 
 Result<cv::Mat> readMask(const std::filesystem::path& file) {
-  return readImage(file, cv::IMREAD_GRAYSCALE);
+  return readImage(file, images::Values::Grey);
 }
 
 cv::Mat reducedTo(const cv::Mat& picture, int width, int height) {

@@ -20,9 +20,6 @@ Result<cv::Mat> readPhotograph(const std::filesystem::path& file);
 /// The same from a file's bytes; `where` names them in errors.
 Result<cv::Mat> decodePhotograph(std::string_view bytes, const std::string& where);
 
-/// The image of a file's bytes, empty where OpenCV cannot decode it; flags: OpenCV's IMREAD_.
-cv::Mat decodedByOpenCv(std::string_view bytes, int flags);
-
 /// From now on OpenCV throws std::bad_alloc when there is not enough memory, instead of a
 /// cv::Exception that looks like a defect or a damaged file. To be called when a program starts.
 void makeOpenCvThrowBadAlloc();

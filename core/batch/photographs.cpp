@@ -9,10 +9,10 @@
 #include "base/message.h"
 #include "base/text.h"
 #include "batch/exif.h"
-#include "batch/image_header.h"
 #include "batch/photograph.h"
-#include "batch/raw_image.h"
 #include "files/files.h"
+#include "images/image_header.h"
+#include "images/raw_image.h"
 
 namespace ostraka::batch {
 namespace fs = std::filesystem;
@@ -85,7 +85,7 @@ std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options
   std::set<std::string> stems;
   std::vector<std::string> small;
   for (const fs::path& file : side.files) {
-    const Result<ImageSize> size = readImageSize(file);
+    const Result<images::ImageSize> size = images::readImageSize(file);
     if (!size) {
       left_out.add(size.error().sentence());
       progress.note(NoteLevel::Warning,
@@ -217,14 +217,14 @@ std::vector<fs::path> photographsIn(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code failed;
   for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
-    if ((hasPhotographEnding(it->path()) || hasRawEnding(it->path())) &&
+    if ((hasPhotographEnding(it->path()) || images::hasRawEnding(it->path())) &&
         !it->path().filename().string().starts_with("."))
       files.push_back(it->path());
   std::set<std::string> developed;
   for (const fs::path& file : files)
-    if (!hasRawEnding(file)) developed.insert(stemOf(file));
+    if (!images::hasRawEnding(file)) developed.insert(stemOf(file));
   std::erase_if(files, [&developed](const fs::path& file) {
-    return hasRawEnding(file) && developed.contains(stemOf(file));
+    return images::hasRawEnding(file) && developed.contains(stemOf(file));
   });
   std::ranges::sort(files, inOrderOfNames);
   return files;
@@ -342,11 +342,11 @@ void GivenMasks::attachTo(Shot& shot, Progress& progress) const {
       std::lower_bound(by_stem_.begin(), by_stem_.end(), stem,
                        [](const auto& mask, const std::string& of) { return mask.first < of; });
   if (found == by_stem_.end() || found->first != stem) return;
-  const Result<ImageSize> size = readImageSize(found->second);
+  const Result<images::ImageSize> size = images::readImageSize(found->second);
   if (!size)
     progress.note(NoteLevel::Warning,
                   inOne(size.error().sentence(), message("This mask is not used.")));
-  else if (*size != ImageSize{shot.width, shot.height})
+  else if (*size != images::ImageSize{shot.width, shot.height})
     warn(progress, found->second,
          message("The mask and its photograph differ in size; the mask is not used."));
   else

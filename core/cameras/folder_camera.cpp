@@ -6,9 +6,9 @@
 
 #include "base/message.h"
 #include "base/text.h"
-#include "batch/image_header.h"
 #include "batch/photograph.h"
 #include "files/files.h"
+#include "images/image_header.h"
 
 namespace ostraka::cameras {
 namespace {
@@ -134,7 +134,7 @@ class FolderCamera final : public devices::Camera {
       Result<std::string> bytes = readFile(file);
       if (!bytes) return Error::missing(bytes.error().what, bytes.error().where);
       if (batch::hasPhotographEnding(file))
-        if (const auto size = batch::imageSize(*bytes, file.string()); !size)
+        if (const auto size = images::imageSize(*bytes, file.string()); !size)
           return Error::missing(size.error().what, file.string());
       const bool belongs =
           batch::hasPhotographEnding(file) || file.stem() == fs::path(photograph).stem();

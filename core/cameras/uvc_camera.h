@@ -13,9 +13,10 @@ struct UvcOptions {
   int most_stale = 5;         ///< frames that may lie in the driver's buffers
 };
 
-/// A video camera through OpenCV. A photograph is the first frame after the buffers are empty, as
-/// JPEG. Focus, exposure and white balance are held by set("focus" ...): its automatic is then off.
-/// Errors: Missing (not there, or held by another program).
+/// A video camera through OpenCV, in a part of the program that is loaded here (video_camera.h). A
+/// photograph is the first frame after the buffers are empty, as JPEG. Focus, exposure and white
+/// balance are held by set("focus" ...): its automatic is then off. Errors: Missing (not there, or
+/// held by another program; the part is not installed).
 Result<std::unique_ptr<devices::Camera>> openUvcCamera(const UvcOptions& options,
                                                        std::shared_ptr<devices::Clock> clock);
 

@@ -4,9 +4,9 @@
 
 #include "base/message.h"
 #include "base/parallel.h"
-#include "batch/image_header.h"
 #include "capture/series.h"
 #include "files/files.h"
+#include "images/image_header.h"
 
 namespace ostraka::capture {
 namespace {
@@ -26,7 +26,7 @@ bool sameSherds(const PlateInspection& a, const PlateInspection& b) {
 
 const devices::CameraFile* photographIn(const std::vector<devices::CameraFile>& files) {
   for (const devices::CameraFile& file : files)
-    if (batch::imageSize(file.bytes, {})) return &file;
+    if (images::imageSize(file.bytes, {})) return &file;
   return nullptr;
 }
 

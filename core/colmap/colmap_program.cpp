@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "base/median.h"
@@ -16,6 +15,8 @@
 #include "batch/label_mask.h"
 #include "batch/photograph.h"
 #include "files/files.h"
+#include "images/jpeg_image.h"
+#include "images/png_image.h"
 #include "rig/support_plane.h"
 
 namespace ostraka::colmap {
@@ -158,11 +159,9 @@ class Session {
                            message("The pose of this photograph is estimated without its mask.")));
       return {};
     }
-    std::vector<unsigned char> bytes;
-    cv::imencode(".png", handed(*mask), bytes);
     with_masks_ = true;
     return writeFileAtomically(workspace_ / "masks" / (name + ".png"),
-                               {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+                               images::encodedPng(handed(*mask)));
   }
 
   Result<void> putInto(const batch::Shot& shot, const fs::path& image) const {
@@ -173,9 +172,7 @@ class Session {
     }
     const Result<cv::Mat> photograph = batch::readPhotograph(shot.file);
     if (!photograph) return photograph.error();
-    std::vector<unsigned char> bytes;
-    cv::imencode(".jpg", handed(*photograph), bytes, {cv::IMWRITE_JPEG_QUALITY, 95});
-    return writeFileAtomically(image, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return writeFileAtomically(image, images::encodedJpeg(handed(*photograph)));
   }
 
   Result<void> step(int done, const std::string& word, const std::vector<std::string>& arguments) {

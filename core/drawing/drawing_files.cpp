@@ -1,13 +1,11 @@
 #include "drawing/drawing_files.h"
 
-#include <cmath>
-#include <opencv2/imgcodecs.hpp>
-
 #include "base/message.h"
 #include "base/text.h"
-#include "files/checksum.h"
 #include "files/files.h"
 #include "files/output_place.h"
+#include "images/png_image.h"
+#include "images/tiff_image.h"
 
 namespace ostraka::drawing {
 namespace {
@@ -50,21 +48,6 @@ Result<std::vector<fs::path>> writeEach(const fs::path& file,
   return files;
 }
 
-std::string bigEndian(std::size_t value) {
-  std::string bytes;
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFF);
-  return bytes;
-}
-
-// Right after the header, which has a fixed length.
-void insertResolution(std::string& png, int dpi) {
-  constexpr std::size_t kHeader = 33;
-  const auto per_metre = static_cast<std::size_t>(std::lround(1000 * dpi / kMmPerInch));
-  const std::string size = bigEndian(per_metre) + bigEndian(per_metre) + '\1';
-  const std::string chunk = "pHYs" + size;
-  png.insert(kHeader, bigEndian(size.size()) + chunk + bigEndian(crc32(chunk)));
-}
-
 }  // namespace
 
 Result<DrawnAs> drawnAs(const fs::path& file, const std::vector<fs::path>& inputs) {
@@ -89,19 +72,9 @@ Result<std::vector<fs::path>> writeSheets(const fs::path& file, const std::vecto
   return writeEach(file, sheets);
 }
 
-Result<std::string> formatPicture(const ViewPicture& picture, const fs::path& file) {
-  constexpr int kInch = 2;  // the unit, as TIFF counts them
-  const bool png = endsWith(file, ".png");
-  const std::vector<int> resolution = {cv::IMWRITE_TIFF_RESUNIT, kInch,
-                                       cv::IMWRITE_TIFF_XDPI,    picture.dpi,
-                                       cv::IMWRITE_TIFF_YDPI,    picture.dpi};
-  std::vector<unsigned char> encoded;
-  if (!cv::imencode(png ? ".png" : ".tif", picture.pixels, encoded,
-                    png ? std::vector<int>() : resolution))
-    return Error::failed(message("The picture could not be encoded."), file.string());
-  std::string bytes(encoded.begin(), encoded.end());
-  if (png) insertResolution(bytes, picture.dpi);
-  return bytes;
+std::string formatPicture(const ViewPicture& picture, const fs::path& file) {
+  return endsWith(file, ".png") ? images::encodedPng(picture.pixels, 3, picture.dpi)
+                                : images::encodedTiff(picture.pixels, picture.dpi);
 }
 
 Result<std::vector<fs::path>> writePictures(const fs::path& file,

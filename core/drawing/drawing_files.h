@@ -24,8 +24,8 @@ Result<std::vector<std::filesystem::path>> writeSheets(const std::filesystem::pa
                                                        const std::vector<Page>& pages);
 
 /// The picture's file with its resolution in it, by the ending of the name: PNG (pHYs) or TIFF
-/// (XResolution, YResolution), so that other programs place it in true size. Error: Failed.
-Result<std::string> formatPicture(const ViewPicture& picture, const std::filesystem::path& file);
+/// (XResolution, YResolution), so that other programs place it in true size.
+std::string formatPicture(const ViewPicture& picture, const std::filesystem::path& file);
 /// Writes what formatPicture made for FILE.png or FILE.tif, a file each, named like the sheets in
 /// writeSheets and with its errors.
 Result<std::vector<std::filesystem::path>> writePictures(const std::filesystem::path& file,

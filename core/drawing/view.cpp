@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "images/jpeg_image.h"
 #include "model/model.h"
 
 namespace ostraka::drawing {
@@ -233,12 +233,6 @@ ViewPicture averaged(const Canvas& canvas) {
   return picture;
 }
 
-std::string asGreyJpeg(const cv::Mat& pixels) {
-  std::vector<unsigned char> jpeg;
-  cv::imencode(".jpg", pixels, jpeg, {cv::IMWRITE_JPEG_QUALITY, 92});
-  return {jpeg.begin(), jpeg.end()};
-}
-
 Picture onPaper(const ViewPicture& view) {
   Picture picture;
   picture.corner = view.corner;
@@ -246,8 +240,7 @@ Picture onPaper(const ViewPicture& view) {
   picture.width_px = view.pixels.cols;
   picture.height_px = view.pixels.rows;
   picture.ink = view.pixels.channels() == 1 ? Ink::Black : Ink::Colours;
-  picture.jpeg =
-      picture.ink == Ink::Black ? asGreyJpeg(view.pixels) : texture::asJpeg(cv::Mat3b(view.pixels));
+  picture.jpeg = images::encodedJpeg(view.pixels, {.quality = picture.ink == Ink::Black ? 92 : 95});
   return picture;
 }
 

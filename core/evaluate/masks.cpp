@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core/mat.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <optional>
 
 #include "base/limits.h"
 #include "base/median.h"
 #include "batch/photograph.h"
 #include "files/files.h"
+#include "images/decode.h"
 
 namespace ostraka::evaluate {
 namespace {
@@ -102,11 +102,12 @@ std::vector<double> sizes(const std::vector<float>& values) {
 Result<MaskImage> readMask(const std::filesystem::path& file) {
   const Result<std::string> bytes = readFile(file, limits::kImageBytes.most);
   if (!bytes) return bytes.error();
-  const cv::Mat image =
-      bytes->empty() ? cv::Mat() : batch::decodedByOpenCv(*bytes, cv::IMREAD_UNCHANGED);
-  if (image.empty()) return Error::unusable("The mask cannot be read as an image.", file.string());
-  if (image.type() != CV_8UC1) return Error::unusable("The mask is not 8-bit grey.", file.string());
-  return MaskImage{image.cols, image.rows, {image.begin<uchar>(), image.end<uchar>()}};
+  const Result<cv::Mat> image =
+      images::decodeImage(*bytes, images::Values::AsStored, file.string());
+  if (!image) return image.error();
+  if (image->type() != CV_8UC1)
+    return Error::unusable("The mask is not 8-bit grey.", file.string());
+  return MaskImage{image->cols, image->rows, {image->begin<uchar>(), image->end<uchar>()}};
 }
 
 void MaskFigures::add(const MaskFigures& other) {

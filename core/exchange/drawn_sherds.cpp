@@ -185,10 +185,8 @@ Result<std::vector<std::string>> picturesOf(const catalogue::Catalogue& catalogu
     const std::optional<texture::TexturedMesh> photographs =
         takePhotographs(catalogue, sherd, project, how);
     if (photographs) how.photographs = &*photographs;
-    Result<std::string> picture =
-        drawing::formatPicture(drawing::pictureOf(model->mesh, drawn.drawings[i], how), file);
-    if (!picture) return picture.error();
-    files.push_back(std::move(*picture));
+    files.push_back(
+        drawing::formatPicture(drawing::pictureOf(model->mesh, drawn.drawings[i], how), file));
   }
   return files;
 }

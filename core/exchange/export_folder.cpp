@@ -18,6 +18,7 @@
 #include "exchange/views_out.h"
 #include "files/files.h"
 #include "files/open_folder.h"
+#include "images/png_image.h"
 #include "metadata/metadata.h"
 #include "metadata/sherd_json.h"
 #include "model/volume_moment.h"
@@ -232,7 +233,8 @@ class Exporting {
 
   // One for the sherd's PLY and OBJ; its name.
   std::string addPicture(const PlannedFile& file, const texture::TexturedMesh& model) {
-    if (picture_of_ != file.sherd) addBeside(file, ".png", texture::asPng(model.texture.picture));
+    if (picture_of_ != file.sherd)
+      addBeside(file, ".png", images::encodedPng(model.texture.picture));
     picture_of_ = file.sherd;
     return fs::path(file.to).stem().string() + ".png";
   }

@@ -7,6 +7,7 @@
 #include "exchange/export_plan.h"
 #include "exchange/lighter_model.h"
 #include "exchange/views_out.h"
+#include "images/png_image.h"
 #include "metadata/metadata.h"
 #include "metadata/sherd_json.h"
 #include "records/sherd.h"
@@ -153,7 +154,7 @@ class Sizing {
     const bool with_ply = options_.forms.contains(Form::Ply),
                with_obj = options_.forms.contains(Form::Obj);
     if (textured && (with_ply || with_obj))
-      share(".png", texture::asPng(textured->texture.picture).size());
+      share(".png", images::encodedPng(textured->texture.picture).size());
     if (textured && with_ply)
       if (const auto made = labelledTexturedPly(lighter ? lighter->mesh : read->mesh, *textured,
                                                 label, "model.png"))

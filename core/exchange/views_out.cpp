@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <vector>
 
 #include "batch/photograph.h"
 #include "decisions/mask_strokes.h"
 #include "files/folder_lock.h"
 #include "files/open_folder.h"
+#include "images/png_image.h"
 #include "rig/camera.h"
 #include "stereo/outside_adapter.h"
 #include "tables/csv.h"
@@ -110,9 +110,7 @@ std::int64_t fileBytes(const fs::path& file) {
 
 // As the adapters write it. That the lens bends it yet changes little.
 double pngBytes(const cv::Mat& picture) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
-  return static_cast<double>(bytes.size());
+  return static_cast<double>(images::encodedPng(picture, 1).size());
 }
 
 struct Pictured {

@@ -1,6 +1,5 @@
 // Masks as people painted on them, beside those of the program, which are never painted over.
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "base/message.h"
 #include "batch/moved_batch.h"
@@ -8,6 +7,7 @@
 #include "decisions/mask_strokes.h"
 #include "files/files.h"
 #include "files/json_message.h"
+#include "images/png_image.h"
 #include "pipeline/chain.h"
 
 namespace ostraka::pipeline {
@@ -51,9 +51,7 @@ Result<void> editInto(const fs::path& to, const fs::path& from,
   if (!read) return read.error();
   cv::Mat1b mask = read->clone();
   for (const decisions::MaskStroke& stroke : strokes) decisions::paintStroke(mask, stroke);
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", mask, bytes, {cv::IMWRITE_PNG_COMPRESSION, 3});
-  return writeFileAtomically(to, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return writeFileAtomically(to, images::encodedPng(mask));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
@@ -9,6 +8,7 @@
 #include "batch/photograph.h"
 #include "colour/munsell_proposals.h"
 #include "files/files.h"
+#include "images/jpeg_image.h"
 #include "pairing/contour.h"
 #include "pairing/turning_angles.h"
 #include "paper/markup.h"
@@ -84,15 +84,13 @@ std::string sidePicture(const ReportInput& input, batch::Side side) {
     const Eigen::Vector2d pixel = image.project(mean);
     label(drawn, sherd.number, {static_cast<int>(pixel.x()) - 12, static_cast<int>(pixel.y()) + 8});
   }
-  std::vector<unsigned char> bytes;
-  cv::imencode(".jpg", drawn, bytes, {cv::IMWRITE_JPEG_QUALITY, 85});
   const std::string words =
       std::string(batch::name(side)) + " side, " +
       (input.way == batch::Way::FreeCamera ? std::filesystem::path(image.file).filename().string()
                                            : "camera " + batch::cameraLetter(image.camera) +
                                                  ", position " + std::to_string(image.stop + 1));
-  return "<figure>" + picture({bytes.begin(), bytes.end()}, "jpeg", words) + "<figcaption>" +
-         words + "</figcaption></figure>";
+  return "<figure>" + picture(images::encodedJpeg(drawn, {.quality = 85}), "jpeg", words) +
+         "<figcaption>" + words + "</figcaption></figure>";
 }
 
 using Line = std::vector<Eigen::Vector2d>;

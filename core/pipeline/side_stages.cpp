@@ -1,7 +1,6 @@
 // Masks and dense reconstruction: each side on its own.
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "base/message.h"
@@ -12,6 +11,7 @@
 #include "checks/agreement.h"
 #include "cloud/ply.h"
 #include "files/files.h"
+#include "images/png_image.h"
 #include "mask/given_mask.h"
 #include "mask/plate_mask.h"
 #include "pipeline/chain.h"
@@ -53,9 +53,7 @@ Result<void> writeMask(const fs::path& file, const cv::Mat1b& mask, const batch:
   cv::Mat whole = mask;
   if (mask.cols < shot.width || mask.rows < shot.height)
     cv::resize(mask, whole, {shot.width, shot.height}, 0, 0, cv::INTER_LINEAR);
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", whole, bytes, {cv::IMWRITE_PNG_COMPRESSION, 3});
-  return writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return writeFileAtomically(file, images::encodedPng(whole));
 }
 
 // By camera, of the size that its images have.

@@ -6,6 +6,7 @@
 #include "cloud/glb.h"
 #include "cloud/ply.h"
 #include "files/files.h"
+#include "images/png_image.h"
 #include "model/preview.h"
 #include "pipeline/sherd_models.h"
 #include "texture/light_frames.h"
@@ -81,7 +82,7 @@ Result<stages::StageNotes> makeTexture(const Run& run, const fs::path& folder,
       *textured ? texture::formatGlb(**textured, extras) : ostraka::formatGlb(*simplified, extras);
   if (const Result<void> r = writeGlb(folder / "model.glb", glb); !r) return r.error();
   const std::string preview = *textured ? texture::previewOf(**textured)
-                                        : texture::asPng(model::renderPreview(model->mesh, {}));
+                                        : images::encodedPng(model::renderPreview(model->mesh, {}));
   if (const Result<void> r = writeFileAtomically(folder / "preview.png", preview); !r)
     return r.error();
   return notes;

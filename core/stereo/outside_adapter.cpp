@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "colmap/colmap_files.h"
 #include "colmap/colmap_program.h"
 #include "files/files.h"
+#include "images/png_image.h"
 #include "stereo/frame.h"
 #include "stereo/hull.h"
 
@@ -29,9 +29,7 @@ constexpr int kOutsideLevels =
 constexpr std::size_t kSparsePoints = 6000;
 
 Result<void> writePicture(const fs::path& file, const cv::Mat& picture) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});
-  return writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return writeFileAtomically(file, images::encodedPng(picture, 1));
 }
 
 Result<void> check(std::span<const View> views) {

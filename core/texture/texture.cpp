@@ -3,13 +3,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgcodecs.hpp>
 
 #include "base/limits.h"
 #include "base/message.h"
-#include "batch/image_header.h"
 #include "batch/photograph.h"
 #include "files/files.h"
+#include "images/image_header.h"
+#include "images/jpeg_image.h"
+#include "images/png_image.h"
 #include "model/model.h"
 #include "model/preview.h"
 #include "texture/relief.h"
@@ -39,7 +40,7 @@ bool areOfOneShape(const TriangleMesh& a, const TriangleMesh& b) {
 }
 
 Result<cv::Mat> decoded(const std::string& file, const std::string& where) {
-  const Result<batch::ImageSize> size = batch::imageSize(file, where);
+  const Result<images::ImageSize> size = images::imageSize(file, where);
   if (!size) return size.error();
   if (static_cast<std::uint64_t>(size->width) * static_cast<std::uint64_t>(size->height) >
       limits::kTexturePixels.most)
@@ -147,9 +148,10 @@ std::vector<Color> vertexColours(const TexturedMesh& model) {
 }
 
 GlbTexture filesOf(const TexturedMesh& model) {
-  GlbTexture files{model.uv, asJpeg(model.texture.picture), asPng(model.texture.seen)};
+  GlbTexture files{model.uv, images::encodedJpeg(model.texture.picture),
+                   images::encodedPng(model.texture.seen)};
   if (model.relief.empty()) return files;
-  files.normals_png = asPng(model.relief);
+  files.normals_png = images::encodedPng(model.relief);
   files.tangents = tangentsOf(model.mesh, model.uv);
   return files;
 }
@@ -169,19 +171,7 @@ std::string previewOf(const TexturedMesh& model) {
   options.color_at = [&](const std::array<int, 3>& triangle, const std::array<double, 3>& weights) {
     return colourAt(model, triangle, weights);
   };
-  return asPng(model::renderPreview(model.mesh, options));
-}
-
-std::string asJpeg(const cv::Mat3b& picture) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 95});
-  return {bytes.begin(), bytes.end()};
-}
-
-std::string asPng(const cv::Mat& picture) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", picture, bytes);
-  return {bytes.begin(), bytes.end()};
+  return images::encodedPng(model::renderPreview(model.mesh, options));
 }
 
 }  // namespace ostraka::texture

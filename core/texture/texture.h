@@ -71,9 +71,4 @@ Result<std::string> formatGlb(const TexturedMesh& model, const GlbExtras& extras
 /// A PNG file of model::renderPreview, each pixel by its texel.
 std::string previewOf(const TexturedMesh& model);
 
-/// The picture as a JPEG file, quality 95.
-std::string asJpeg(const cv::Mat3b& picture);
-/// A picture or mask as a PNG file.
-std::string asPng(const cv::Mat& picture);
-
 }  // namespace ostraka::texture

@@ -1,16 +1,13 @@
 #include "virtualrig/batch_files.h"
 
-#include <cstdlib>
-
-#include <jpeglib.h>  // after cstdio, which it leaves to its user
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
 
-#include "base/message.h"
 #include "base/text.h"
 #include "cloud/ply.h"
 #include "files/files.h"
 #include "files/json.h"
+#include "images/jpeg_image.h"
+#include "images/png_image.h"
 #include "rendering/plate_surface.h"
 #include "rig/plate_print.h"
 
@@ -24,58 +21,19 @@ double rounded(double value, int steps) {
 
 }  // namespace
 
-// By libjpeg itself: OpenCV 4.6 always halves the colours' resolution.
-std::string encodedJpeg(const cv::Mat& image, const JpegOptions& options) {
-  jpeg_compress_struct job;
-  jpeg_error_mgr errors;
-  job.err = jpeg_std_error(&errors);
-  jpeg_create_compress(&job);
-  unsigned char* bytes = nullptr;
-  unsigned long size = 0;
-  jpeg_mem_dest(&job, &bytes, &size);
-  job.image_width = static_cast<JDIMENSION>(image.cols);
-  job.image_height = static_cast<JDIMENSION>(image.rows);
-  job.input_components = 3;
-  job.in_color_space = JCS_EXT_BGR;
-  jpeg_set_defaults(&job);
-  jpeg_set_quality(&job, options.quality, TRUE);
-  for (int c = 0; c < 3; ++c) job.comp_info[c].h_samp_factor = job.comp_info[c].v_samp_factor = 1;
-  if (options.halved_colors) job.comp_info[0].h_samp_factor = job.comp_info[0].v_samp_factor = 2;
-  job.dct_method = JDCT_ISLOW;  // the exact one
-  job.write_JFIF_header = options.exif.empty() ? TRUE : FALSE;
-  jpeg_start_compress(&job, TRUE);
-  if (!options.exif.empty())
-    jpeg_write_marker(&job, JPEG_APP0 + 1, reinterpret_cast<const JOCTET*>(options.exif.data()),
-                      static_cast<unsigned>(options.exif.size()));
-  while (job.next_scanline < job.image_height) {
-    JSAMPROW row =
-        const_cast<JSAMPROW>(image.ptr<unsigned char>(static_cast<int>(job.next_scanline)));
-    jpeg_write_scanlines(&job, &row, 1);
-  }
-  jpeg_finish_compress(&job);
-  jpeg_destroy_compress(&job);
-  std::string out(reinterpret_cast<const char*>(bytes), size);
-  std::free(bytes);
-  return out;
-}
-
 std::string photographName(batch::Side side, int camera, int stop) {
   return std::string(batch::name(side)) + "/" + formatted("cam%d_pos%02d.jpg", camera, stop);
 }
 
 Result<void> writeJpeg(const std::filesystem::path& file, const cv::Mat& image,
-                       const JpegOptions& options) {
-  const std::string bytes = encodedJpeg(image, options);
-  const auto kept =
-      static_cast<std::size_t>(static_cast<double>(bytes.size()) * options.kept_share);
+                       const images::JpegOptions& options, double kept_share) {
+  const std::string bytes = images::encodedJpeg(image, options);
+  const auto kept = static_cast<std::size_t>(static_cast<double>(bytes.size()) * kept_share);
   return writeFileAtomically(file, std::string_view(bytes).substr(0, kept));
 }
 
 Result<void> writePng(const std::filesystem::path& file, const cv::Mat& image) {
-  std::vector<unsigned char> bytes;
-  if (!cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 6}))
-    return Error::failed(message("The picture could not be encoded."), file.string());
-  return writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  return writeFileAtomically(file, images::encodedPng(image, 6));
 }
 
 Result<void> writePlateAndBoard(const std::filesystem::path& folder) {

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <opencv2/core.hpp>
 
+#include "images/jpeg_image.h"
 #include "virtualrig/layout.h"
 #include "virtualrig/setup.h"
 
@@ -17,16 +18,11 @@ Result<void> writeTruth(const std::filesystem::path& folder,
                         const std::vector<rig::PosedImage>& images);
 std::vector<rig::PosedImage> posedImages(const VirtualRig& rig);
 
-struct JpegOptions {
-  int quality = 95;
-  bool halved_colors = false;  ///< 4:2:0 instead of 4:4:4
-  std::string exif = {};       ///< content of APP1; empty: none
-  double kept_share = 1;       ///< less cuts the file off
-};
-/// Of an 8-bit picture: blue, green, red.
-std::string encodedJpeg(const cv::Mat& image, const JpegOptions& options = {});
+/// Colours in full resolution (4:4:4), unless told otherwise; a kept share below 1 cuts the file
+/// off.
 Result<void> writeJpeg(const std::filesystem::path& file, const cv::Mat& image,
-                       const JpegOptions& options = {});
+                       const images::JpegOptions& options = {.halved_colors = false},
+                       double kept_share = 1);
 Result<void> writePng(const std::filesystem::path& file, const cv::Mat& image);
 
 }  // namespace ostraka::virtualrig

@@ -164,7 +164,8 @@ class Studio {
     if (Result<void> r = writePng(options_.output / "truth" / "masks" / mask, shot.labels); !r)
       return r;
     if (mishap.missing) return {};
-    return writeJpeg(options_.output / file, shot.image, {.kept_share = mishap.kept_share});
+    return writeJpeg(options_.output / file, shot.image, {.halved_colors = false},
+                     mishap.kept_share);
   }
 
   const SimulateOptions& options_;

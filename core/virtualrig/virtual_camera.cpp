@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/message.h"
+#include "images/jpeg_image.h"
 #include "rendering/photograph.h"
 #include "virtualrig/batch_files.h"
 
@@ -92,7 +93,8 @@ class VirtualPlace {
     const rendering::Photograph taken =
         rendering::photograph(view, (small ? small_lenses_ : lenses_)[c], {},
                               vessels::mixed(options_.seed, 9000 + id), stop);
-    return stop.stop_requested() ? std::string() : encodedJpeg(taken.image);
+    return stop.stop_requested() ? std::string()
+                                 : images::encodedJpeg(taken.image, {.halved_colors = false});
   }
 
  private:

@@ -1,2 +1,2 @@
 add_executable(mask_accuracy mask_accuracy.cpp)
-target_link_libraries(mask_accuracy PRIVATE ostraka_mask ostraka_pipeline)
+target_link_libraries(mask_accuracy PRIVATE ostraka_mask ostraka_pipeline opencv_imgcodecs)

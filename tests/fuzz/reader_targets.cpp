@@ -4,11 +4,11 @@
 #include <string>
 
 #include "batch/batch.h"
-#include "batch/image_header.h"
 #include "capture/rig_devices.h"
 #include "cloud/ply.h"
 #include "evaluate/pairs.h"
 #include "files/json.h"
+#include "images/image_header.h"
 #include "memory_file.h"
 #include "must.h"
 #include "rig/camera.h"
@@ -53,7 +53,7 @@ void json(std::string_view bytes) {
 }
 
 void imageHeader(std::string_view bytes) {
-  const Result<batch::ImageSize> size = batch::imageSize(bytes, "fuzz.jpg");
+  const Result<images::ImageSize> size = images::imageSize(bytes, "fuzz.jpg");
   mustNameItself(size);
   if (size) must(size->width > 0 && size->height > 0, "an image has a size");
 }

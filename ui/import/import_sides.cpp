@@ -9,7 +9,7 @@
 #include "batch/flip.h"
 #include "batch/photograph.h"
 #include "batch/photographs.h"
-#include "batch/raw_image.h"
+#include "images/raw_image.h"
 
 namespace ostraka::ui {
 namespace {
@@ -173,7 +173,7 @@ Result<std::optional<SidesPlan>> planSides(const QStringList& dropped, const fs:
     std::erase_if(paths, [](const fs::path& path) {
       std::error_code ignored;
       return !fs::is_regular_file(path, ignored) ||
-             !(batch::hasPhotographEnding(path) || batch::hasRawEnding(path));
+             !(batch::hasPhotographEnding(path) || images::hasRawEnding(path));
     });
     if (paths.empty()) return refused(kNoPhotographs, folder);
     plan.from = QString::fromStdString(folder.string());

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "batch/photograph.h"
-#include "batch/raw_image.h"
 #include "files/open_folder.h"
 #include "files/output_place.h"
+#include "images/raw_image.h"
 #include "ui/jobs/when_done.h"
 
 namespace ostraka::ui {
@@ -30,7 +30,7 @@ qint64 changedAt(const QString& file) {
 
 // Of the formats that Qt does not read, or of which it reads the preview.
 bool isCameras(const QString& file) {
-  return batch::hasRawEnding(file.toStdString()) ||
+  return images::hasRawEnding(file.toStdString()) ||
          file.endsWith(QLatin1String(".heic"), Qt::CaseInsensitive) ||
          file.endsWith(QLatin1String(".heif"), Qt::CaseInsensitive);
 }

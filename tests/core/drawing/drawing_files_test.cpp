@@ -114,7 +114,7 @@ ViewPicture smallPicture(int dpi) {
 TEST(PictureFiles, APngStatesItsResolution) {
   for (const auto& [dpi, per_metre] : {std::pair(300, 11811u), {600, 23622u}}) {
     const ViewPicture picture = smallPicture(dpi);
-    const std::string png = *formatPicture(picture, "sherd.png");
+    const std::string png = formatPicture(picture, "sherd.png");
     const std::size_t at = png.find("pHYs");
     ASSERT_LT(at, png.find("IDAT"));
     EXPECT_EQ(numberAt(png, at - 4, 4, true), 9u);
@@ -132,7 +132,7 @@ TEST(PictureFiles, ATiffStatesItsResolution) {
   constexpr std::size_t kXResolution = 282, kYResolution = 283, kUnit = 296;
   for (const int dpi : {300, 600}) {
     const ViewPicture picture = smallPicture(dpi);
-    const std::string tiff = *formatPicture(picture, "sherd.TIF");
+    const std::string tiff = formatPicture(picture, "sherd.TIF");
     ASSERT_EQ(tiff.substr(0, 2), "II");
     EXPECT_EQ(tiffValue(tiff, kXResolution), dpi);
     EXPECT_EQ(tiffValue(tiff, kYResolution), dpi);

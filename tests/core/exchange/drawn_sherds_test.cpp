@@ -127,7 +127,7 @@ TEST_F(DrawnSherds, HavePicturesOfTheirOwnInTheirOrder) {
   ASSERT_TRUE(pictures) << pictures.error().sentence();
   const drawing::ViewPicture shown =
       drawing::pictureOf(closedShell(), drawn->drawings.front(), options.drawing);
-  EXPECT_THAT(*pictures, testing::ElementsAre(*drawing::formatPicture(shown, "views.png")));
+  EXPECT_THAT(*pictures, testing::ElementsAre(drawing::formatPicture(shown, "views.png")));
 }
 
 TEST_F(DrawnSherds, AreExportedAsOrthophotosWhereThatIsChosen) {

@@ -11,6 +11,7 @@
 #include "closed_shell.h"
 #include "exchange/drawn_sherds.h"
 #include "exported_project.h"
+#include "images/jpeg_image.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/sherds.h"
@@ -231,7 +232,7 @@ std::string texturedGlb(const cv::Mat3b& picture) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-  return *formatGlb(mesh, {{{0, 0}, {1, 0}, {0, 1}, {0.25f, 0.75f}}, texture::asJpeg(picture), {}},
+  return *formatGlb(mesh, {{{0, 0}, {1, 0}, {0, 1}, {0.25f, 0.75f}}, images::encodedJpeg(picture), {}},
                     {});
 }
 
@@ -289,7 +290,7 @@ TEST_F(Export, PhotographsStayOnSmallerModelsAndTheirSizeIsKnownBefore) {
   GlbTexture photographs;  // seen from above, through to the other side
   for (const Eigen::Vector3f& v : shell.vertices)
     photographs.uv.emplace_back(0.5f + v.x() / 80, 0.5f - v.y() / 80);
-  photographs.jpeg = texture::asJpeg(cv::Mat3b(400, 400, cv::Vec3b(30, 60, 200)));
+  photographs.jpeg = images::encodedJpeg(cv::Mat3b(400, 400, cv::Vec3b(30, 60, 200)));
   for (const store::SherdRow row : rows) {
     enter(catalogue(), project_->folder(), row, "model.ply", formatPly(shell, "a"), anna);
     enter(catalogue(), project_->folder(), row, ".glb", *formatGlb(shell, photographs, {}), anna);

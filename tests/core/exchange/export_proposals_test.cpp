@@ -8,6 +8,7 @@
 #include "exchange/export_folder.h"
 #include "exported_project.h"
 #include "files/json.h"
+#include "images/jpeg_image.h"
 #include "texture/texture.h"
 
 namespace ostraka::exchange {
@@ -35,7 +36,7 @@ TEST_F(ExportOfProposals, NamesThemApartFromWhatWasEnteredAndInNoTable) {
   GlbTexture photographs;  // seen from above, through to the other side
   for (const Eigen::Vector3f& v : shell.vertices)
     photographs.uv.emplace_back(0.5f + v.x() / 80, 0.5f - v.y() / 80);
-  photographs.jpeg = texture::asJpeg(cv::Mat3b(400, 400, cv::Vec3b(30, 60, 200)));
+  photographs.jpeg = images::encodedJpeg(cv::Mat3b(400, 400, cv::Vec3b(30, 60, 200)));
   colour::MunsellProposals proposals;
   proposals.out = colour::proposedFor({150, 110, 80});
   GlbExtras extras;

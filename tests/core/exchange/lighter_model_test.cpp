@@ -7,6 +7,8 @@
 
 #include "cloud/glb.h"
 #include "cloud/surface.h"
+#include "images/jpeg_image.h"
+#include "images/png_image.h"
 #include "model/model.h"
 #include "texture/atlas.h"
 #include "texture/charts.h"
@@ -174,8 +176,8 @@ TEST(LighterModel, HasSmallerPhotographsWhereTheyWouldNotFit) {
   ASSERT_TRUE(made.has_value()) << made.error().sentence();
   const auto size = [&] {
     return formatGlb(made->mesh,
-                     {made->uv, texture::asJpeg(made->texture.picture),
-                      texture::asPng(made->texture.seen)},
+                     {made->uv, images::encodedJpeg(made->texture.picture),
+                      images::encodedPng(made->texture.seen)},
                      {})
         ->size();
   };
@@ -183,7 +185,7 @@ TEST(LighterModel, HasSmallerPhotographsWhereTheyWouldNotFit) {
   const double texel_mm = made->texel_mm;
   shrinkPhotographs(*made, size());
   EXPECT_EQ(made->texture.picture.size(), page) << "they fit";
-  const std::size_t most = size() - texture::asJpeg(made->texture.picture).size() / 2;
+  const std::size_t most = size() - images::encodedJpeg(made->texture.picture).size() / 2;
   shrinkPhotographs(*made, most);
   EXPECT_LE(size(), most);
   EXPECT_LT(made->texture.picture.cols, page.width);

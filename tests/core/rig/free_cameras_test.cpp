@@ -7,8 +7,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/median.h"
-#include "batch/image_header.h"
 #include "calibration/free_cameras.h"
+#include "images/image_header.h"
 #include "rig/turntable.h"
 #include "tests/core/files/temporary_folder.h"
 
@@ -26,7 +26,7 @@ void addSide(batch::Batch& batch, batch::Side side, const fs::path& folder) {
     files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (std::size_t i = 0; i < files.size(); ++i) {
-    const auto size = *batch::readImageSize(files[i]);
+    const auto size = *images::readImageSize(files[i]);
     batch.shots.push_back({side, static_cast<int>(i), 0, files[i], {}, size.width, size.height});
   }
 }

@@ -6,6 +6,8 @@
 
 #include "block.h"
 #include "files/files.h"
+#include "images/jpeg_image.h"
+#include "images/png_image.h"
 
 namespace ostraka::texture {
 namespace {
@@ -41,11 +43,11 @@ TEST(Texture, HasTexelsOfTheNearestPhotographsPixels) {
   ASSERT_TRUE(made);
   EXPECT_NEAR(made->texel_mm, (150 - 3) / 1000.0, 0.002);
   EXPECT_EQ(made->uv.size(), made->mesh.vertices.size());
-  const std::string png = asPng(made->texture.seen);
+  const std::string png = images::encodedPng(made->texture.seen);
   const cv::Mat seen =
       cv::imdecode(std::vector<char>(png.begin(), png.end()), cv::IMREAD_GRAYSCALE);
   EXPECT_EQ(cv::norm(seen, made->texture.seen, cv::NORM_INF), 0);
-  const std::string jpeg = asJpeg(made->texture.picture);
+  const std::string jpeg = images::encodedJpeg(made->texture.picture);
   const cv::Mat3b picture =
       cv::imdecode(std::vector<char>(jpeg.begin(), jpeg.end()), cv::IMREAD_COLOR);
   EXPECT_NEAR(picture(picture.rows / 2, picture.cols / 2)[2], 150, 2);
@@ -55,7 +57,7 @@ TexturedModel painted(const cv::Mat3b& picture, const std::string& seen) {
   TexturedModel model;
   model.mesh = block({40, 30, 6}, 2);
   model.texture.uv.assign(model.mesh.vertices.size(), {0.5f, 0.5f});
-  model.texture.jpeg = asPng(picture);
+  model.texture.jpeg = images::encodedPng(picture);
   model.texture.seen_png = seen;
   return model;
 }
@@ -65,7 +67,7 @@ TEST(Texture, IsOpenedWithItsMask) {
   picture(1, 3) = {10, 20, 200};
   cv::Mat1b seen(2, 4, uchar{255});
   seen(0, 0) = 0;
-  const auto made = opened(painted(picture, asPng(seen)), "a");
+  const auto made = opened(painted(picture, images::encodedPng(seen)), "a");
   ASSERT_TRUE(made) << made.error().sentence();
   EXPECT_EQ(cv::norm(made->texture.picture, picture, cv::NORM_INF), 0);
   EXPECT_EQ(cv::norm(made->texture.seen, seen, cv::NORM_INF), 0);
@@ -114,7 +116,7 @@ TEST(Texture, BesideAModelOfAnotherShapeIsAnotherModels) {
 }
 
 TEST(Texture, ThatNoPageHoldsIsRefusedBeforeItIsDecoded) {
-  std::string huge = asPng(cv::Mat3b(2, 4, cv::Vec3b(0, 0, 0)));
+  std::string huge = images::encodedPng(cv::Mat3b(2, 4, cv::Vec3b(0, 0, 0)));
   huge[18] = '\x40';  // the width's third byte: 16,388
   huge[22] = '\x40';
   const auto made = opened(painted(cv::Mat3b(1, 1, cv::Vec3b(1, 2, 3)), {}), "a");

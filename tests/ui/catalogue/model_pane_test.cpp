@@ -24,7 +24,7 @@ class ModelPaneTest : public CatalogueWindow {
     const TriangleMesh mesh = exchange::closedShell();
     GlbTexture blue;
     blue.uv.assign(mesh.vertices.size(), {0.5f, 0.5f});
-    blue.jpeg = texture::asJpeg(cv::Mat3b(16, 16, cv::Vec3b(220, 30, 30)));
+    blue.jpeg = images::encodedJpeg(cv::Mat3b(16, 16, cv::Vec3b(220, 30, 30)));
     QVERIFY(writeGlb(besideModel(0), formatGlb(mesh, blue, {})).has_value());
     choose(0);
     QTRY_VERIFY(child<ModelPane>("model")->showsModel());
@@ -83,4 +83,5 @@ class ModelPaneTest : public CatalogueWindow {
 };
 
 OSTRAKA_UI_TEST(ModelPaneTest)
+#include "images/jpeg_image.h"
 #include "model_pane_test.moc"

@@ -1,4 +1,4 @@
-#include "batch/raw_image.h"
+#include "images/raw_image.h"
 
 #include <libraw/libraw.h>
 
@@ -12,7 +12,7 @@
 #include "base/message.h"
 #include "base/text.h"
 
-namespace ostraka::batch {
+namespace ostraka::images {
 namespace {
 
 Error damagedRaw(const std::string& where) {
@@ -106,4 +106,4 @@ Result<cv::Mat> decodeRaw(std::string_view bytes, const std::string& where) {
   return bgr;
 }
 
-}  // namespace ostraka::batch
+}  // namespace ostraka::images

@@ -1,4 +1,4 @@
-#include "batch/heif_image.h"
+#include "images/heif_image.h"
 
 #include <libheif/heif.h>
 
@@ -14,7 +14,7 @@
 #include "base/limits.h"
 #include "base/message.h"
 
-namespace ostraka::batch {
+namespace ostraka::images {
 namespace {
 
 template <auto release>
@@ -325,4 +325,4 @@ std::string heifExif(std::string_view bytes) {
   return skipped < block.size() ? block.substr(skipped) : std::string();
 }
 
-}  // namespace ostraka::batch
+}  // namespace ostraka::images

@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::batch {
+namespace ostraka::images {
 
 struct ImageSize {
   int width = 0, height = 0;  ///< pixels as stored; an EXIF orientation is not applied
@@ -31,4 +31,4 @@ Error undecodableImage(const std::string& where);
 /// A size as a file claims it, unless no image has it. Error: UnusableInput.
 Result<ImageSize> checkedSize(std::int64_t width, std::int64_t height, const std::string& where);
 
-}  // namespace ostraka::batch
+}  // namespace ostraka::images

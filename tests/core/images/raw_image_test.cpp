@@ -1,5 +1,5 @@
 // DNG files put together by hand after Adobe's specification 1.4: a sensor's values, uncompressed.
-#include "batch/raw_image.h"
+#include "images/raw_image.h"
 
 #include <gmock/gmock.h>
 
@@ -9,9 +9,10 @@
 
 #include "batch/exif.h"
 #include "batch/photograph.h"
-#include "batch_folder.h"
+#include "images/decode.h"
+#include "tests/core/batch/batch_folder.h"
 
-namespace ostraka::batch {
+namespace ostraka::images {
 namespace {
 
 using testing::HasSubstr;
@@ -110,7 +111,7 @@ TEST(RawImage, IsDevelopedWithoutTurningOrBrighteningIt) {
   const auto size = imageSize(bytes, "a.DNG");
   ASSERT_TRUE(size.has_value()) << size.error().sentence();
   EXPECT_EQ(*size, (ImageSize{160, 120}));
-  const auto image = decodePhotograph(bytes, "a.DNG");
+  const auto image = decodeImage(bytes, Values::Bgr, "a.DNG");
   ASSERT_TRUE(image.has_value()) << image.error().sentence();
   ASSERT_EQ(image->size(), cv::Size(160, 120));
   for (int c = 0; c < 3; ++c) {
@@ -120,12 +121,12 @@ TEST(RawImage, IsDevelopedWithoutTurningOrBrighteningIt) {
 }
 
 TEST(RawImage, OfAFileIsReadByItsEnding) {
-  const BatchFolder folder;
+  const batch::BatchFolder folder;
   folder.write("a.dng", dng(160, 120, 32768, 6554));
-  const auto image = readPhotograph(folder.path() / "a.dng");
+  const auto image = batch::readPhotograph(folder.path() / "a.dng");
   ASSERT_TRUE(image.has_value()) << image.error().sentence();
   EXPECT_EQ(image->cols, 160);
-  EXPECT_EQ(readExif(folder.path() / "a.dng").make, "Made by hand");
+  EXPECT_EQ(batch::readExif(folder.path() / "a.dng").make, "Made by hand");
   EXPECT_TRUE(hasRawEnding("IMG_1.CR2"));
   EXPECT_FALSE(hasRawEnding("a.tif"));
 }
@@ -146,7 +147,7 @@ TEST(RawImage, ThatStatesMorePixelsThanItsBytesHoldIsCutOffAtOnce) {
   for (const std::size_t bytes : {200u, 1'000'000u})
     for (const auto& error :
          {imageSize(dngOf(60000, 6000, 7, losslessJpeg(bytes)), "a.dng").error(),
-          decodePhotograph(dngOf(60000, 6000, 7, losslessJpeg(bytes)), "a.dng").error()})
+          decodeImage(dngOf(60000, 6000, 7, losslessJpeg(bytes)), Values::Bgr, "a.dng").error()})
       EXPECT_THAT(error.what, HasSubstr("truncated")) << bytes;
   // Unpacked to the end, each takes 6 s.
   EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(3));
@@ -158,12 +159,12 @@ TEST(RawImage, GivesItsSizeWithoutUnpackingWhereItStatesTheLengthOfItsValues) {
   const auto jpeg = damaged.find("\xFF\xD8\xFF\xC3");
   damaged[jpeg] = 'x';
   EXPECT_EQ(*imageSize(damaged, "a.dng"), (ImageSize{64, 48}));
-  EXPECT_FALSE(decodePhotograph(damaged, "a.dng").has_value());
+  EXPECT_FALSE(decodeImage(damaged, Values::Bgr, "a.dng").has_value());
 }
 
 TEST(RawImage, OfAnotherKindIsRefused) {
   for (const char* bytes : {"", "no image", "II*"}) {
-    const auto image = decodePhotograph(bytes, "a.nef");
+    const auto image = decodeImage(bytes, Values::Bgr, "a.nef");
     ASSERT_FALSE(image.has_value());
     EXPECT_EQ(image.error().code, ErrorCode::UnusableInput);
   }
@@ -176,7 +177,7 @@ TEST(RawImage, SurvivesChangedBytes) {
     std::string damaged = whole;
     for (int k = 0; k < 4; ++k)
       damaged[random() % std::min<std::size_t>(damaged.size(), 420)] = static_cast<char>(random());
-    const auto image = decodePhotograph(damaged, "a.dng");
+    const auto image = decodeImage(damaged, Values::Bgr, "a.dng");
     if (!image) {
       EXPECT_EQ(image.error().code, ErrorCode::UnusableInput);
     }
@@ -184,4 +185,4 @@ TEST(RawImage, SurvivesChangedBytes) {
 }
 
 }  // namespace
-}  // namespace ostraka::batch
+}  // namespace ostraka::images

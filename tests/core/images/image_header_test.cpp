@@ -1,13 +1,13 @@
-#include "batch/image_header.h"
+#include "images/image_header.h"
 
 #include <gmock/gmock.h>
 
 #include <random>
 
 #include "base/limits.h"
-#include "batch_folder.h"
+#include "tests/core/batch/batch_folder.h"
 
-namespace ostraka::batch {
+namespace ostraka::images {
 namespace {
 
 using testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST(ImageSize, RefusesALyingSize) {
 }
 
 }  // namespace
-}  // namespace ostraka::batch
+}  // namespace ostraka::images

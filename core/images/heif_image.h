@@ -4,9 +4,9 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "batch/image_header.h"
+#include "images/image_header.h"
 
-namespace ostraka::batch {
+namespace ostraka::images {
 
 /// Whether these are the bytes of a HEIF image coded with HEVC, as telephones write (.heic, .heif).
 bool isHeif(std::string_view bytes);
@@ -23,4 +23,4 @@ Result<cv::Mat> decodeHeif(std::string_view bytes, const std::string& where);
 /// The EXIF block as a TIFF's bytes; empty when there is none.
 std::string heifExif(std::string_view bytes);
 
-}  // namespace ostraka::batch
+}  // namespace ostraka::images

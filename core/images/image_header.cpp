@@ -1,16 +1,16 @@
-#include "batch/image_header.h"
+#include "images/image_header.h"
 
 #include <cstdint>
 #include <optional>
 
 #include "base/limits.h"
 #include "base/message.h"
-#include "batch/heif_image.h"
-#include "batch/jpeg_image.h"
-#include "batch/raw_image.h"
 #include "files/files.h"
+#include "images/heif_image.h"
+#include "images/jpeg_image.h"
+#include "images/raw_image.h"
 
-namespace ostraka::batch {
+namespace ostraka::images {
 namespace {
 
 constexpr std::int64_t kMaxPixels = limits::kImagePixels.most, kMaxSide = limits::kImageSide.most;
@@ -205,4 +205,4 @@ Result<ImageSize> readImageSize(const std::filesystem::path& file) {
   return imageSize(*bytes, file.string());
 }
 
-}  // namespace ostraka::batch
+}  // namespace ostraka::images

@@ -1,5 +1,5 @@
 // HEIC images made here by libheif's encoder, as telephones write them.
-#include "batch/heif_image.h"
+#include "images/heif_image.h"
 
 #include <gmock/gmock.h>
 #include <libheif/heif.h>
@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "batch/exif.h"
-#include "batch/photograph.h"
-#include "batch_folder.h"
+#include "images/decode.h"
+#include "tests/core/batch/batch_folder.h"
 
-namespace ostraka::batch {
+namespace ostraka::images {
 namespace {
 
 using testing::HasSubstr;
@@ -70,7 +70,7 @@ TEST(HeifImage, GivesSizeAndColoursAsStored) {
   const auto size = imageSize(bytes, "a.heic");
   ASSERT_TRUE(size.has_value()) << size.error().sentence();
   EXPECT_EQ(*size, (ImageSize{322, 242}));
-  const auto image = decodePhotograph(bytes, "a.heic");
+  const auto image = decodeImage(bytes, Values::Bgr, "a.heic");
   ASSERT_TRUE(image.has_value()) << image.error().sentence();
   EXPECT_EQ(image->size(), cv::Size(322, 242));
   // Of the coding at quality 90, a few grey values in an even area.
@@ -93,7 +93,7 @@ TEST(HeifImage, IsNotTurnedUpright) {
   const auto size = imageSize(bytes, "a.heic");
   ASSERT_TRUE(size.has_value()) << size.error().sentence();
   EXPECT_EQ(*size, (ImageSize{320, 240}));
-  const auto image = decodePhotograph(bytes, "a.heic");
+  const auto image = decodeImage(bytes, Values::Bgr, "a.heic");
   ASSERT_TRUE(image.has_value()) << image.error().sentence();
   EXPECT_EQ(image->size(), cv::Size(320, 240));
   EXPECT_NEAR(image->at<cv::Vec3b>(100, 50)[2], 200, 6);
@@ -101,10 +101,10 @@ TEST(HeifImage, IsNotTurnedUpright) {
 
 TEST(HeifImage, GivesWhatTheCameraWrote) {
   const std::string bytes = heic(64, 64);
-  EXPECT_EQ(exifIn(bytes).make, "Apple");
-  const BatchFolder folder;
+  EXPECT_EQ(batch::exifIn(bytes).make, "Apple");
+  const batch::BatchFolder folder;
   folder.write("a.HEIC", bytes);
-  EXPECT_EQ(readExif(folder.path() / "a.HEIC").make, "Apple");
+  EXPECT_EQ(batch::readExif(folder.path() / "a.HEIC").make, "Apple");
 }
 
 TEST(HeifImage, IsRecognisedAsCutOffWhereverItIsCut) {
@@ -124,11 +124,11 @@ TEST(HeifImage, SurvivesChangedBytes) {
     std::string damaged = whole;
     for (int k = 0; k < 4; ++k)
       damaged[random() % std::min<std::size_t>(damaged.size(), 700)] = static_cast<char>(random());
-    const auto image = decodePhotograph(damaged, "a.heic");
+    const auto image = decodeImage(damaged, Values::Bgr, "a.heic");
     if (!image) {
       EXPECT_EQ(image.error().code, ErrorCode::UnusableInput);
     }
-    exifIn(damaged);
+    batch::exifIn(damaged);
   }
 }
 
@@ -244,7 +244,7 @@ TEST(HeifImage, PutTogetherFromTilesIsRead) {
       const auto size = imageSize(bytes, "a.heic");
       ASSERT_TRUE(size.has_value()) << size.error().sentence();
       EXPECT_EQ(*size, (ImageSize{128, 64}));
-      const auto image = decodePhotograph(bytes, "a.heic");
+      const auto image = decodeImage(bytes, Values::Bgr, "a.heic");
       ASSERT_TRUE(image.has_value()) << image.error().sentence();
       ASSERT_EQ(image->size(), cv::Size(128, 64));
       EXPECT_NEAR(image->at<cv::Vec3b>(32, 80)[2], 200, 12);
@@ -272,7 +272,7 @@ TEST(HeifImage, OfImagesWithinEachOtherWithoutEndIsDamaged) {
         heif({placed, copy}, {{"dimg", 1, {2}}, {"dimg", 2, {1}}}, ispes),
         heif(grids, within, ispes)}) {
     EXPECT_THAT(imageSize(bytes, "a.heic").error().what, HasSubstr("HEIC image is damaged"));
-    EXPECT_FALSE(exifIn(bytes).make.size() > 0);
+    EXPECT_FALSE(batch::exifIn(bytes).make.size() > 0);
   }
 }
 
@@ -292,4 +292,4 @@ TEST(HeifImage, OfACanvasBeyondTheLimitsIsRefused) {
 }
 
 }  // namespace
-}  // namespace ostraka::batch
+}  // namespace ostraka::images

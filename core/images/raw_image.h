@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "base/result.h"
-#include "batch/image_header.h"
+#include "images/image_header.h"
 
-namespace ostraka::batch {
+namespace ostraka::images {
 
 /// Is this a camera's RAW file by the ending of its name? Only the name tells many of them from a
 /// TIFF image, which holds a preview first.
@@ -22,4 +22,4 @@ Result<ImageSize> rawSize(std::string_view bytes, const std::string& where);
 /// that photographs of a series stay comparable; not turned upright. Error: UnusableInput.
 Result<cv::Mat> decodeRaw(std::string_view bytes, const std::string& where);
 
-}  // namespace ostraka::batch
+}  // namespace ostraka::images

@@ -8,6 +8,8 @@
 #include "cloud/ply.h"
 #include "evaluate/pairs.h"
 #include "files/json.h"
+#include "images/decode.h"
+#include "images/heif_image.h"
 #include "images/image_header.h"
 #include "memory_file.h"
 #include "must.h"
@@ -52,10 +54,21 @@ void json(std::string_view bytes) {
   mustNameItself(evaluate::readPairsTruth(file.path()));
 }
 
-void imageHeader(std::string_view bytes) {
+void image(std::string_view bytes) {
   const Result<images::ImageSize> size = images::imageSize(bytes, "fuzz.jpg");
   mustNameItself(size);
-  if (size) must(size->width > 0 && size->height > 0, "an image has a size");
+  if (!size) return;
+  must(size->width > 0 && size->height > 0, "an image has a size");
+  // Decoding a large one takes its time, and what decodes HEVC has fuzzers of its own.
+  if (size->width * std::int64_t{size->height} > 1 << 18 || images::isHeif(bytes)) return;
+  for (const images::Values values :
+       {images::Values::Bgr, images::Values::Grey, images::Values::AsStored}) {
+    const Result<cv::Mat> pixels = images::decodeImage(bytes, values, "fuzz.jpg");
+    mustNameItself(pixels);
+    if (pixels)
+      must(pixels->cols == size->width && pixels->rows == size->height,
+           "an image has the size that its header states");
+  }
 }
 
 void rigFile(std::string_view bytes) {

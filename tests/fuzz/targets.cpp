@@ -8,7 +8,7 @@ std::span<const Target> targets() {
                                     {"decisions", decisions},
                                     {"device_replies", deviceReplies},
                                     {"export_folder", exportFolder},
-                                    {"image_header", imageHeader},
+                                    {"image", image},
                                     {"json", json},
                                     {"label_code", labelCode},
                                     {"model_label", modelLabel},

@@ -16,7 +16,7 @@ std::span<const Target> targets();
 
 void ply(std::string_view bytes);
 void json(std::string_view bytes);
-void imageHeader(std::string_view bytes);
+void image(std::string_view bytes);
 /// RIG.json: cameras, devices and the dialect of a turntable.
 void rigFile(std::string_view bytes);
 /// The fields of a network's file that decide how a photograph is fed to it.

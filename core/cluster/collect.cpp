@@ -12,6 +12,7 @@
 #include "catalogue/batches.h"
 #include "cluster/place.h"
 #include "cluster/tasks.h"
+#include "decisions/change_peoples_file.h"
 #include "files/contained_path.h"
 #include "files/files.h"
 #include "files/folder_lock.h"
@@ -88,7 +89,7 @@ Result<void> removed(const fs::path& folder) {
   return error ? Result<void>(cannotWrite(folder, error.value())) : Result<void>();
 }
 
-// What people say of the batch stays with it, whichever results it has.
+// What people say of the batch stays with it, whichever results it has: within changePeoplesFile.
 Result<void> keepPeoplesFiles(const fs::path& results, const fs::path& folder) {
   std::error_code error;
   for (const std::string name : batch::kPeoplesFiles) {
@@ -109,12 +110,14 @@ Result<void> putBack(const upkeep::Project& project, const std::string& batch) {
   if (!fs::exists(replaced, error)) return {};
   for (const fs::path& own : {replaced, results})
     if (const Result<void> good = checkNoLinkInProject(own); !good) return good;
-  if (fs::exists(results, error)) {
-    if (const Result<void> kept = keepPeoplesFiles(results, replaced); !kept) return kept;
-    if (const Result<void> gone = removed(incoming); !gone) return gone;
-    if (const Result<void> aside = moved(project, results, incoming); !aside) return aside;
-  }
-  return moved(project, replaced, results);
+  return decisions::changePeoplesFile(results, [&]() -> Result<void> {
+    if (fs::exists(results, error)) {
+      if (const Result<void> kept = keepPeoplesFiles(results, replaced); !kept) return kept;
+      if (const Result<void> gone = removed(incoming); !gone) return gone;
+      if (const Result<void> aside = moved(project, results, incoming); !aside) return aside;
+    }
+    return moved(project, replaced, results);
+  });
 }
 
 // What was entered before an error stays.
@@ -194,10 +197,12 @@ Result<void> takePlace(const upkeep::Project& project, const std::string& batch,
     if (!taken) return taken.error();
     held.emplace(std::move(*taken));
   }
-  if (const Result<void> kept = keepPeoplesFiles(results, folder); !kept) return kept;
-  if (const Result<void> gone = removed(replaced); !gone) return gone;
-  if (const Result<void> aside = moved(project, results, replaced); !aside) return aside;
-  return moved(project, folder, results);
+  return decisions::changePeoplesFile(results, [&]() -> Result<void> {
+    if (const Result<void> kept = keepPeoplesFiles(results, folder); !kept) return kept;
+    if (const Result<void> gone = removed(replaced); !gone) return gone;
+    if (const Result<void> aside = moved(project, results, replaced); !aside) return aside;
+    return moved(project, folder, results);
+  });
 }
 
 Result<Collected> collect(upkeep::Project& project, const Access& access, Progress& progress,

@@ -12,6 +12,7 @@
 #include "base/uuid.h"
 #include "batch/peoples_files.h"
 #include "decisions/candidate_table.h"
+#include "decisions/change_peoples_file.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
@@ -222,6 +223,35 @@ Result<void> checked(const PairDecision& d) {
   return {};
 }
 
+// With what it replaces, its id and its time.
+Result<void> appendWhileHeld(const fs::path& output, PairDecision& decision) {
+  std::error_code failed;
+  if (!fs::is_directory(output, failed))  // a decision alone would stand in the way of new results
+    return Error{ErrorCode::Missing,
+                 message("The results of this batch no longer exist; reprocess it, then decide."),
+                 output.string()};
+  Result<Decisions> decisions = readDecisions(output);
+  if (!decisions) return decisions.error();
+  if (decisions->size() >= limits::kDecisions.most) return tooMany(fileIn(output).string());
+  if (decision.kind == DecisionKind::Withdraw) {
+    const Result<void> valid = checkWithdrawal(*decisions, decision, fileIn(output).string());
+    if (!valid) return valid;
+  } else {
+    decision.replaces.clear();
+    const Result<CandidateTable> now = readCandidatesOf(output);
+    for (const PairDecision& other : replacedAmong(standing(*decisions), decision)) {
+      decision.replaces.push_back(other.id);
+      if (now) takeAlong(decision, other, *now);
+    }
+    if (const Result<void> valid = checked(decision); !valid) return valid;
+  }
+  using namespace std::chrono;
+  decision.id = newId(duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count());
+  decision.at = utcNow();
+  decisions->push_back(decision);
+  return writeFileAtomically(fileIn(output), textOf(*decisions));
+}
+
 }  // namespace
 
 std::string momentOf(const PairDecision& decision) {
@@ -368,32 +398,9 @@ std::string textOf(const Decisions& decisions) {
 
 Result<PairDecision> appendDecision(const fs::path& output, PairDecision decision) {
   if (const Result<void> valid = checked(decision); !valid) return valid.error();
-  std::error_code failed;
-  if (!fs::is_directory(output, failed))  // a decision alone would stand in the way of new results
-    return Error{ErrorCode::Missing,
-                 message("The results of this batch no longer exist; reprocess it, then decide."),
-                 output.string()};
-  Result<Decisions> decisions = readDecisions(output);
-  if (!decisions) return decisions.error();
-  if (decisions->size() >= limits::kDecisions.most) return tooMany(fileIn(output).string());
-  if (decision.kind == DecisionKind::Withdraw) {
-    const Result<void> valid = checkWithdrawal(*decisions, decision, fileIn(output).string());
-    if (!valid) return valid.error();
-  } else {
-    decision.replaces.clear();
-    const Result<CandidateTable> now = readCandidatesOf(output);
-    for (const PairDecision& other : replacedAmong(standing(*decisions), decision)) {
-      decision.replaces.push_back(other.id);
-      if (now) takeAlong(decision, other, *now);
-    }
-    if (const Result<void> valid = checked(decision); !valid) return valid.error();
-  }
-  using namespace std::chrono;
-  decision.id = newId(duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count());
-  decision.at = utcNow();
-  decisions->push_back(decision);
-  const Result<void> written = writeFileAtomically(fileIn(output), textOf(*decisions));
-  if (!written) return written.error();
+  const Result<void> appended =
+      changePeoplesFile(output, [&] { return appendWhileHeld(output, decision); });
+  if (!appended) return appended.error();
   return decision;
 }
 

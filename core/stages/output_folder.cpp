@@ -30,15 +30,17 @@ enum class PeoplesFiles { None, Kept };
 
 // New, empty, or as a run leaves it that was killed before it could name what its results are of:
 // with the lock and files that have no last name yet, if it came that far. Of a batch whose results
-// were deleted to be computed anew, what people decided is kept. Other names prove no owner.
+// were deleted to be computed anew, what people decided is kept, and who decides holds it. Other
+// names prove no owner.
 bool isUntouched(const fs::path& output, PeoplesFiles peoples) {
   std::error_code failed;
   if (!fs::exists(output, failed)) return true;
   for (const fs::directory_entry& entry : fs::directory_iterator(output, failed)) {
     const std::string name = entry.path().filename().string();
     const bool kept = peoples == PeoplesFiles::Kept &&
-                      std::find(std::begin(batch::kPeoplesFiles), std::end(batch::kPeoplesFiles),
-                                name) != std::end(batch::kPeoplesFiles);
+                      (name == kLockFile ||
+                       std::find(std::begin(batch::kPeoplesFiles), std::end(batch::kPeoplesFiles),
+                                 name) != std::end(batch::kPeoplesFiles));
     if (!kept && (name != "work" || !entry.is_directory(failed))) return false;
   }
   if (failed || !fs::exists(output / "work", failed)) return !failed;

@@ -52,6 +52,7 @@ constexpr std::string_view kFilesOfOut[] = {
     kInputsRecord,
     "work/scans.json",
     "work/lock",
+    kLockFile,  // of who decides or paints
     "work/more_candidates.json",
     batch::kDecisionsFile,
     batch::kMaskStrokesFile};

@@ -9,12 +9,14 @@
 #include "batch/peoples_files.h"
 #include "catalogue/file_places.h"
 #include "catalogue/settings.h"
+#include "decisions/change_peoples_file.h"
 #include "decisions/decisions.h"
 #include "decisions/mask_strokes.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "files/folder_lock.h"
 #include "files/json_text.h"
+#include "files/output_place.h"
 
 namespace ostraka::upkeep {
 namespace {
@@ -104,6 +106,27 @@ Result<void> joinPeoplesFile(catalogue::Catalogue& catalogue, const OpenFolder& 
   return writeFileAtomically(project.path() / file.from.text(), *joined);
 }
 
+// While nobody decides or paints: what was written since it was last read is joined, too. False:
+// what lies there cannot be read, and is not replaced.
+Result<bool> placePeoplesFile(catalogue::Catalogue& catalogue, const OpenFolder& project,
+                              const WaitingFile& file) {
+  const fs::path output = project.path() / folderOfPlace(file.to.text());
+  if (const Result<void> own = checkNoLinkInProject(output); !own) return own.error();
+  bool readable = true;
+  const Result<void> placed = decisions::changePeoplesFile(output, [&]() -> Result<void> {
+    const Result<std::string> there = sha256At(project, file.to, {});
+    if (!there) return there.error();
+    if (!there->empty() && *there != file.staged.over) {
+      const Result<void> joined = joinPeoplesFile(catalogue, project, file);
+      readable = joined || joined.error().code == ErrorCode::CannotWrite;
+      if (!joined) return joined;
+    }
+    return project.move(file.from, file.to);
+  });
+  if (!readable) return false;
+  return placed ? Result<bool>(true) : placed.error();
+}
+
 }  // namespace
 
 Error notAPlaceOfFiles(const std::string& path) {
@@ -174,19 +197,12 @@ Result<std::vector<std::string>> placeStaged(catalogue::Catalogue& catalogue,
   for (const WaitingFile& file : waiting) {
     const std::string to = file.to.text();
     if (isPeoplesFile(to)) {
-      const Result<void> joined =
-          file.changed ? joinPeoplesFile(catalogue, *folder, file) : Result<void>();
-      if (!joined && joined.error().code == ErrorCode::CannotWrite) {
-        leave(to, file.staged, joined.error());
-        continue;
-      }
-      if (!joined) {  // one that cannot be read is not replaced
-        kept.insert(to);
-        continue;
-      }
-    } else if (kept.contains(folderOfPlace(to))) {
+      const Result<bool> placed = placePeoplesFile(catalogue, *folder, file);
+      if (!placed) leave(to, file.staged, placed.error());
+      if (placed && !*placed) kept.insert(to);
       continue;
     }
+    if (kept.contains(folderOfPlace(to))) continue;
     if (const Result<void> moved = folder->move(file.from, file.to); !moved)
       leave(to, file.staged, moved.error());
   }

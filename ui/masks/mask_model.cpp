@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "decisions/change_peoples_file.h"
 #include "intake/settle_batch.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
@@ -100,14 +101,16 @@ class StrokeCommand final : public QUndoCommand {
   // The page may show another batch by now; the strokes stand in the file of theirs.
   template <class Change>
   Result<void> change(Change apply) {
-    auto strokes = decisions::readMaskStrokes(output_);
-    if (!strokes) return strokes.error();
-    const std::vector<decisions::MaskStroke> before = *strokes;
-    apply(*strokes);
     const bool shown = model_ && model_->output_ == output_;
     const std::string batch = output_.filename().string();
-    const Result<void> written = saved(session_, batch, before, *strokes, [&] {
-      return shown ? model_->hold(*strokes) : decisions::writeMaskStrokes(output_, *strokes);
+    const Result<void> written = decisions::changePeoplesFile(output_, [&]() -> Result<void> {
+      auto strokes = decisions::readMaskStrokes(output_);
+      if (!strokes) return strokes.error();
+      const std::vector<decisions::MaskStroke> before = *strokes;
+      apply(*strokes);
+      return saved(session_, batch, before, *strokes, [&] {
+        return shown ? model_->hold(*strokes) : decisions::writeMaskStrokes(output_, *strokes);
+      });
     });
     if (!written) return written;
     if (model_ && !shown) model_->settle(session_, QString::fromStdString(batch));

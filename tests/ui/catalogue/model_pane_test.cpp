@@ -6,6 +6,7 @@
 
 #include "catalogue_window.h"
 #include "cloud/glb.h"
+#include "images/jpeg_image.h"
 #include "tests/ui/program.h"
 #include "texture/texture.h"
 
@@ -83,5 +84,4 @@ class ModelPaneTest : public CatalogueWindow {
 };
 
 OSTRAKA_UI_TEST(ModelPaneTest)
-#include "images/jpeg_image.h"
 #include "model_pane_test.moc"

@@ -17,14 +17,15 @@ namespace fs = std::filesystem;
 
 // In the order of the work: a folder may use only those before it.
 const std::vector<std::string> kOrder = {
-    "base",        "files",     "paper",    "cloud",     "batch",        "rig",
-    "calibration", "colmap",    "ground",   "hull",      "segmentation", "mask",
-    "stereo",      "scan",      "pairing",  "baselines", "registration", "model",
-    "colour",      "texture",   "drawing",  "decisions", "checks",       "stages",
-    "pipeline",    "scansets",  "review",   "evaluate",  "devices",      "cameras",
-    "turntables",  "capture",   "vessels",  "rendering", "virtualrig",   "store",
-    "records",     "catalogue", "sherds",   "upkeep",    "intake",       "cluster",
-    "archive",     "tables",    "metadata", "exchange",  "merge",        "api"};
+    "base",    "files",       "images",    "paper",    "cloud",     "batch",
+    "rig",     "calibration", "colmap",    "ground",   "hull",      "segmentation",
+    "mask",    "stereo",      "scan",      "pairing",  "baselines", "registration",
+    "model",   "colour",      "texture",   "drawing",  "decisions", "checks",
+    "stages",  "pipeline",    "scansets",  "review",   "evaluate",  "devices",
+    "cameras", "turntables",  "capture",   "vessels",  "rendering", "virtualrig",
+    "store",   "records",     "catalogue", "sherds",   "upkeep",    "intake",
+    "cluster", "archive",     "tables",    "metadata", "exchange",  "merge",
+    "api"};
 // The window's folders likewise; all of them may use core.
 const std::vector<std::string> kUiOrder = {
     "words",  "jobs",    "look",   "widgets",   "frame",  "viewport", "import",

@@ -232,8 +232,8 @@ std::string texturedGlb(const cv::Mat3b& picture) {
   TriangleMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
-  return *formatGlb(mesh, {{{0, 0}, {1, 0}, {0, 1}, {0.25f, 0.75f}}, images::encodedJpeg(picture), {}},
-                    {});
+  return *formatGlb(
+      mesh, {{{0, 0}, {1, 0}, {0, 1}, {0.25f, 0.75f}}, images::encodedJpeg(picture), {}}, {});
 }
 
 TEST_F(Export, AnObjHasThePhotographsOfItsModelBesideIt) {

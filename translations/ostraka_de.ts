@@ -6735,6 +6735,11 @@
       <translation>Die Videokamera liefert Bilder von %1x%2 Pixeln, nicht von der eingestellten Größe.</translation>
     </message>
     <message>
+      <source>Another program is writing decisions or masks of this batch, so nothing was saved; try again in a moment.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderes Programm schreibt gerade Entscheidungen oder Masken dieses Durchgangs, daher wurde nichts gespeichert; gleich noch einmal versuchen.</translation>
+    </message>
+    <message>
       <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Teil von Ostraka, den Videokameras brauchen, lässt sich nicht laden; Ostraka neu installieren.</translation>

@@ -6735,6 +6735,11 @@
       <translation>Η βιντεοκάμερα δίνει εικόνες %1x%2 εικονοστοιχείων, όχι του μεγέθους που ορίστηκε.</translation>
     </message>
     <message>
+      <source>Another program is writing decisions or masks of this batch, so nothing was saved; try again in a moment.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα άλλο πρόγραμμα γράφει αποφάσεις ή μάσκες αυτής της παρτίδας, γι&apos; αυτό δεν αποθηκεύτηκε τίποτα· δοκιμάστε ξανά σε λίγο.</translation>
+    </message>
+    <message>
       <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το τμήμα του Ostraka που χρειάζονται οι βιντεοκάμερες δεν φορτώνεται· εγκαταστήστε ξανά το Ostraka.</translation>

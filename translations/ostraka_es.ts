@@ -6735,6 +6735,11 @@
       <translation>La cámara de vídeo da imágenes de %1x%2 píxeles, no del tamaño ajustado.</translation>
     </message>
     <message>
+      <source>Another program is writing decisions or masks of this batch, so nothing was saved; try again in a moment.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro programa está escribiendo decisiones o máscaras de esta tanda, así que no se guardó nada; inténtelo de nuevo enseguida.</translation>
+    </message>
+    <message>
       <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se puede cargar la parte de Ostraka que necesitan las cámaras de vídeo; vuelva a instalar Ostraka.</translation>

@@ -6735,6 +6735,11 @@
       <translation>La caméra vidéo donne des images de %1x%2 pixels, pas de la taille réglée.</translation>
     </message>
     <message>
+      <source>Another program is writing decisions or masks of this batch, so nothing was saved; try again in a moment.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre programme écrit des décisions ou des masques de ce lot, rien n’a donc été enregistré ; réessayez dans un instant.</translation>
+    </message>
+    <message>
       <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La partie d’Ostraka dont les caméras vidéo ont besoin ne peut pas être chargée ; réinstallez Ostraka.</translation>

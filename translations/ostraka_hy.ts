@@ -6735,6 +6735,11 @@
       <translation>Վիդեոտեսախցիկը տալիս է %1x%2 պիքսել պատկերներ, ոչ թե սահմանված չափի։</translation>
     </message>
     <message>
+      <source>Another program is writing decisions or masks of this batch, so nothing was saved; try again in a moment.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ այլ ծրագիր գրում է այս խմբաքանակի որոշումները կամ դիմակները, ուստի ոչինչ չի պահպանվել. քիչ հետո նորից փորձեք։</translation>
+    </message>
+    <message>
       <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ostraka-ի այն մասը, որն անհրաժեշտ է տեսախցիկներին, չի բեռնվում. նորից տեղադրեք Ostraka-ն։</translation>

@@ -6683,6 +6683,11 @@
       <translation>Video kamera ayarlanan boyutta değil, %1x%2 piksellik resimler veriyor.</translation>
     </message>
     <message>
+      <source>Another program is writing decisions or masks of this batch, so nothing was saved; try again in a moment.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir program bu partinin kararlarını ya da maskelerini yazıyor, bu yüzden hiçbir şey kaydedilmedi; birazdan yeniden deneyin.</translation>
+    </message>
+    <message>
       <source>The part of Ostraka that video cameras need cannot be loaded; install Ostraka again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ostraka’nın video kameraların gerek duyduğu parçası yüklenemiyor; Ostraka’yı yeniden kurun.</translation>

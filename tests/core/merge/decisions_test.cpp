@@ -56,25 +56,6 @@ TEST_F(TwoDecisions, ThatDifferOnOnePairAreSettledAndNoneGoes) {
   EXPECT_EQ(contentIn(*project_), after);
 }
 
-// The front and the back are asked about apart: of two answers neither decision would be left.
-TEST_F(TwoDecisions, ThatAreSettledForOneOnItsFrontAndForTheOtherOnItsBackAreRefused) {
-  decide(*project_, records::Verdict::Reject);
-  decide(b_, records::Verdict::Accept);
-  const std::vector<std::string> open = openIn(merged(*project_, b_));
-  ASSERT_EQ(open.size(), 2U);
-  const std::string before = contentIn(*project_);
-  for (const Take first : {Take::A, Take::B}) {
-    const Take second = first == Take::A ? Take::B : Take::A;
-    const Result<MergeReport> refused =
-        tried(*project_, b_, {{open[0], take(first)}, {open[1], take(second)}});
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
-    for (const std::string& id : open)
-      EXPECT_THAT(refused.error().what, testing::HasSubstr(id));
-    EXPECT_EQ(contentIn(*project_), before);
-  }
-}
-
 class TwoPieceDecisions : public Conflicts {
  protected:
   /// These fragments of a side are one sherd.

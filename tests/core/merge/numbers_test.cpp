@@ -62,42 +62,6 @@ TEST_F(TwoNumbers, ANumberGivenToTwoSherdsBecomesANewOne) {
   EXPECT_EQ(saidOf(*project_, theirs, "number"), "ARM1-T3-0013-0101");
 }
 
-// Each typed before the other was known: whoever loses a number, no two sherds get one.
-TEST_F(TwoNumbers, SettledWithOneNewNumberForTwoSherdsAreRefusedByName) {
-  const auto [own_8, theirs_8] = called("N-8", "N-8");
-  const auto [own_7, theirs_7] = called("N-7", "N-7");
-  const std::string before = contentIn(*project_);
-  for (const Take first : {Take::A, Take::B})
-    for (const Take second : {Take::A, Take::B}) {
-      const Result<MergeReport> refused =
-          tried(*project_, b_,
-                {{"number/" + theirs_8, {first, "R/1"}}, {"number/" + theirs_7, {second, "r_1"}}});
-      ASSERT_FALSE(refused) << nameOf(first) << nameOf(second);
-      EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
-      EXPECT_THAT(refused.error().what, testing::AnyOf(testing::HasSubstr("number/" + theirs_8),
-                                                       testing::HasSubstr("number/" + theirs_7)));
-      EXPECT_EQ(contentIn(*project_), before);
-    }
-}
-
-// It comes to the catalogue behind the sherd that loses its number.
-TEST_F(TwoNumbers, SettledWithTheNumberOfANewSherdAreRefusedOrAskedAnew) {
-  const auto [own, theirs] = called("N-8", "N-8");
-  const std::string fresh = sherds::Sherds(b_.catalogue()).get(newSherd(b_, context13, false))->id;
-  say(b_, *sherds::Sherds(b_.catalogue()).byId(fresh), "number", "Z-1");
-  for (const Take side : {Take::A, Take::B}) {
-    const Result<MergeReport> tried_it =
-        tried(*project_, b_, {{"number/" + theirs, {side, "Z-1"}}});
-    if (tried_it) {
-      EXPECT_FALSE(tried_it->entered) << nameOf(side);
-      EXPECT_THAT(openIn(*tried_it), testing::ElementsAre("number/" + fresh)) << nameOf(side);
-    } else {
-      EXPECT_EQ(tried_it.error().code, ErrorCode::UnusableInput) << nameOf(side);
-      EXPECT_THAT(tried_it.error().what, testing::HasSubstr("number/" + theirs));
-    }
-  }
-}
-
 TEST_F(TwoNumbers, ANumberGoesToTheOtherAndTheOwnSherdIsCalledAsAPersonSays) {
   const auto [own, theirs] = called("N-8", "N-8");
   settle({{"number/" + theirs, {Take::B, "ARM1-T3-0013-0031"}}});

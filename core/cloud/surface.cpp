@@ -49,8 +49,17 @@ Surface::Surface(const TriangleMesh& mesh) {
     for (int v = 0; v < static_cast<int>(vertices_.size()); ++v) items_.push_back({v, v, v});
   order_.resize(items_.size());
   std::iota(order_.begin(), order_.end(), 0);
-  nodes_.reserve(items_.size());
-  build(0, static_cast<int>(items_.size()));
+  // Of triangles that repeat each other no box is nearer than the rest, and all would be searched.
+  std::vector<std::array<int, 3>> corners = items_;
+  for (std::array<int, 3>& t : corners) std::ranges::sort(t);
+  std::ranges::sort(order_, [&](int x, int y) {
+    return corners[x] != corners[y] ? corners[x] < corners[y] : x < y;
+  });
+  const auto repeated = std::ranges::unique(order_, {}, [&](int i) { return corners[i]; });
+  order_.erase(repeated.begin(), repeated.end());
+  std::ranges::sort(order_);
+  nodes_.reserve(order_.size());
+  build(0, static_cast<int>(order_.size()));
 }
 
 void Surface::boxOf(int item, Eigen::Vector3d& low, Eigen::Vector3d& high) const {
@@ -133,11 +142,12 @@ SurfacePoint Surface::closest(const Eigen::Vector3d& query) const {
   return {std::sqrt(best), best_point, best_item};
 }
 
-std::vector<SurfacePoint> Surface::closest(std::span<const Eigen::Vector3d> queries,
-                                           int threads) const {
+std::vector<SurfacePoint> Surface::closest(std::span<const Eigen::Vector3d> queries, int threads,
+                                           const std::stop_token& stop) const {
   std::vector<SurfacePoint> found(queries.size());
   parallelForRanges(queries.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) found[i] = closest(queries[i]);
+    for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i)
+      found[i] = closest(queries[i]);
   });
   return found;
 }

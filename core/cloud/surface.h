@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "cloud/point_cloud.h"
@@ -25,7 +26,9 @@ class Surface {
  public:
   explicit Surface(const TriangleMesh& mesh);
   SurfacePoint closest(const Eigen::Vector3d& query) const;
-  std::vector<SurfacePoint> closest(std::span<const Eigen::Vector3d> queries, int threads) const;
+  /// Of each query. Stopped, the rest is at distance 0.
+  std::vector<SurfacePoint> closest(std::span<const Eigen::Vector3d> queries, int threads,
+                                    const std::stop_token& stop = {}) const;
 
  private:
   struct Node {

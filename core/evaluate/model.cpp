@@ -30,6 +30,13 @@ std::vector<double> distances(const std::vector<SurfacePoint>& found) {
   return d;
 }
 
+bool hasArea(const TriangleMesh& mesh) {
+  return std::ranges::any_of(mesh.triangles, [&](const std::array<int, 3>& t) {
+    const Eigen::Vector3f& a = mesh.vertices[t[0]];
+    return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a).squaredNorm() > 0;
+  });
+}
+
 // The rigid transform that takes `from` to `to` with the least squares.
 Eigen::Isometry3d fitRigid(const Points& from, const Points& to) {
   const auto matrix = [](const Points& points) {
@@ -41,7 +48,8 @@ Eigen::Isometry3d fitRigid(const Points& from, const Points& to) {
 
 // 8000 points of the model onto the truth, the farthest 5 % left out, at most 60 rounds
 // (metrics.md).
-Eigen::Isometry3d alignByIcp(Points points, const Surface& truth, int threads) {
+Eigen::Isometry3d alignByIcp(Points points, const Surface& truth, int threads,
+                             const std::stop_token& stop) {
   constexpr std::size_t kPoints = 8000;
   constexpr int kRounds = 60;
   if (points.size() > kPoints) {
@@ -52,10 +60,10 @@ Eigen::Isometry3d alignByIcp(Points points, const Surface& truth, int threads) {
   }
   Eigen::Isometry3d truth_from_model = Eigen::Isometry3d::Identity();
   double last = 1e9;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kRounds && !stop.stop_requested(); ++round) {
     Points placed;
     for (const Eigen::Vector3d& p : points) placed.push_back(truth_from_model * p);
-    const std::vector<SurfacePoint> found = truth.closest(placed, threads);
+    const std::vector<SurfacePoint> found = truth.closest(placed, threads, stop);
     const double limit = quantileOf(distances(found), 0.95);
     Points from, to;
     double squared = 0;
@@ -131,6 +139,7 @@ Result<ModelFigures> compareModel(const TriangleMesh& model, const TriangleMesh&
                                   const ModelOptions& options, Progress& progress,
                                   std::stop_token stop) {
   if (truth.triangles.empty()) return Error::unusable("The true mesh has no faces.");
+  if (!hasArea(truth)) return Error::unusable("The true mesh has no area.");
   if (model.vertices.empty()) return Error::unusable("The model has no points.");
   progress.report(0, 3);
   const Surface true_surface(truth);
@@ -138,7 +147,7 @@ Result<ModelFigures> compareModel(const TriangleMesh& model, const TriangleMesh&
   Points samples = samplesOf(placed, options.sample_spacing_mm, 11);
   ModelFigures figures;
   if (options.align == Align::Icp) {
-    const Eigen::Isometry3d move = alignByIcp(samples, true_surface, options.threads);
+    const Eigen::Isometry3d move = alignByIcp(samples, true_surface, options.threads, stop);
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& p : samples) middle += p / static_cast<double>(samples.size());
     figures.aligned_by_mm = (move * middle - middle).norm();
@@ -149,11 +158,13 @@ Result<ModelFigures> compareModel(const TriangleMesh& model, const TriangleMesh&
   }
   if (stop.stop_requested()) return Error::cancelled();
   progress.report(1, 3);
-  const std::vector<double> d = distances(true_surface.closest(samples, options.threads));
+  const std::vector<double> d = distances(true_surface.closest(samples, options.threads, stop));
   if (stop.stop_requested()) return Error::cancelled();
   progress.report(2, 3);
   const Points true_samples = samplesOf(truth, options.sample_spacing_mm, 12);
-  const std::vector<double> g = distances(Surface(placed).closest(true_samples, options.threads));
+  const std::vector<double> g =
+      distances(Surface(placed).closest(true_samples, options.threads, stop));
+  if (stop.stop_requested()) return Error::cancelled();
   progress.report(3, 3);
   double sum = 0, squared = 0;
   for (const double x : d) {

@@ -58,6 +58,31 @@ TEST(Surface, GivesFiniteDistancesForTrianglesWithoutArea) {
   EXPECT_NEAR(Surface(mesh).closest({5, 4, 0}).distance_mm, 5.0, 1e-12);
 }
 
+// 12 triangles, each ten thousand times: only their first ones are searched.
+TEST(Surface, SearchesRepeatedTrianglesOnce) {
+  const TriangleMesh box = evaluate::boxMesh(5, 4, 3, 1);
+  TriangleMesh repeated = box;
+  for (int round = 1; round < 10'000; ++round)
+    for (const std::array<int, 3>& t : box.triangles)
+      repeated.triangles.push_back({t[round % 3], t[(round + 1) % 3], t[(round + 2) % 3]});
+  const Surface once(box), often(repeated);
+  for (int i = 0; i < 20'000; ++i) {
+    const Eigen::Vector3d query(i % 13 - 4, i % 17 - 6, i % 7 - 2);
+    const SurfacePoint found = often.closest(query);
+    ASSERT_EQ(found.distance_mm, once.closest(query).distance_mm);
+    ASSERT_EQ(found.triangle, once.closest(query).triangle);
+  }
+}
+
+TEST(Surface, HearsAStop) {
+  std::stop_source stop;
+  stop.request_stop();
+  const std::vector<Eigen::Vector3d> queries(10, Eigen::Vector3d(100, 0, 0));
+  for (const SurfacePoint& found :
+       Surface(evaluate::boxMesh(5, 4, 3, 1)).closest(queries, 1, stop.get_token()))
+    EXPECT_EQ(found.distance_mm, 0);
+}
+
 TEST(Surface, AnswersTheSameForAnyNumberOfThreads) {
   const Surface surface(evaluate::boxMesh(5, 4, 3, 7));
   std::vector<Eigen::Vector3d> queries;

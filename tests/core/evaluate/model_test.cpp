@@ -56,6 +56,16 @@ TEST(CompareModel, TakesOutAPoseErrorOnlyWhenAskedTo) {
   EXPECT_LT(aligned.aligned_by_deg, 0.05);
 }
 
+TEST(CompareModel, RefusesATruthWithoutArea) {
+  TriangleMesh line;
+  line.vertices = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
+  line.triangles = {{0, 1, 2}, {2, 1, 0}, {0, 0, 1}};
+  QuietProgress quiet;
+  const auto figures = compareModel(line, line, {.align = Align::None, .threads = 1}, quiet, {});
+  ASSERT_FALSE(figures.has_value());
+  EXPECT_EQ(figures.error().code, ErrorCode::UnusableInput);
+}
+
 TEST(CompareModel, CountsAMissingFaceAgainstCompletenessNotAccuracy) {
   const TriangleMesh truth = boxMesh(50, 40, 6, 20);
   TriangleMesh open = truth;

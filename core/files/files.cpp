@@ -73,12 +73,16 @@ Result<void> copyFile(const std::filesystem::path& from, const std::filesystem::
   struct stat there {};
   if (!target.isOpen() || ::fstat(target.get(), &there) != 0) return cannotWrite(to, errno);
   if (there.st_size > 0) return cannotWrite(to, EEXIST);
+  const auto without = [&](const Error& error) {  // half a file would look like a whole one
+    if (S_ISREG(there.st_mode)) ::unlink(to.c_str());
+    return error;
+  };
   std::vector<char> piece(std::size_t{1} << 20);
   for (;;) {
     const Result<std::size_t> bytes = source->read(piece);
-    if (!bytes) return bytes.error();
+    if (!bytes) return without(bytes.error());
     if (*bytes == 0) return {};
-    if (!writeAll(target.get(), {piece.data(), *bytes})) return cannotWrite(to, errno);
+    if (!writeAll(target.get(), {piece.data(), *bytes})) return without(cannotWrite(to, errno));
   }
 }
 

@@ -17,7 +17,7 @@ Result<std::string> readFile(const std::filesystem::path& path,
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
 /// The bytes of a file into another, which is empty or is made with the same permissions. Errors:
-/// UnusableInput (from), CannotWrite; then `to` may hold a part of them.
+/// UnusableInput (from), CannotWrite; then `to` is gone, unless it held something before.
 Result<void> copyFile(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Makes sure that what was created or renamed in the folder survives a power failure, if the disk

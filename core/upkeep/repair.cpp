@@ -346,7 +346,11 @@ class Repair {
     if (Result<void> copied = copyFile(file_, report_.damaged); !copied) return copied;
     const bool has_wal = fs::exists(wal);
     if (has_wal)
-      if (Result<void> copied = copyFile(wal, damaged_wal); !copied) return copied;
+      if (Result<void> copied = copyFile(wal, damaged_wal); !copied) {
+        std::error_code stays;
+        fs::remove(report_.damaged, stays);  // without it the copy would look whole
+        return copied;
+      }
     if (Result<void> synced = syncFile(report_.damaged); !synced) return synced;
     if (has_wal)
       if (Result<void> synced = syncFile(damaged_wal); !synced) return synced;

@@ -79,6 +79,24 @@ TEST_F(FilesTest, AreCopiedWholeOrSayThatTheDiskIsFull) {
   const Result<void> full = copyFile(from, "/dev/full");
   ASSERT_FALSE(full);
   EXPECT_NE(full.error().what.english().find("The disk is full"), std::string::npos);
+  EXPECT_TRUE(fs::exists("/dev/full")) << "a device is not taken away";
+}
+
+// A limit of the file's size stands for the disk.
+TEST_F(FilesTest, LeaveNoHalfOfACopy) {
+  const fs::path from = folder_ / "from", to = folder_ / "to";
+  ASSERT_TRUE(writeFileAtomically(from, std::string(3'000'000, 'b')));
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{2'000'000, before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const Result<void> copied = copyFile(from, to);
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_FALSE(copied);
+  EXPECT_FALSE(fs::exists(to));
+  EXPECT_EQ(fs::file_size(from), 3'000'000U);
 }
 
 TEST_F(FilesTest, SayWhatIsWrongWithWhatCannotBeRead) {

@@ -54,7 +54,7 @@ std::string needed(const std::string& text, const NeededText& words) {
 // What two places are told apart by; a person's name may need such letters.
 std::string neededCode(const std::string& text, const NeededText& words) {
   std::string code = needed(text, words);
-  if (store::hasInvisible(code))
+  if (store::hasInvisible(code) || code.find_first_of("\r\n\t") != std::string::npos)
     store::refuse(message("A number or code cannot contain invisible characters; type it again."),
                   code);
   return code;

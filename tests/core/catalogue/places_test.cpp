@@ -105,8 +105,10 @@ TEST_F(PlacesTest, ACodeHasNoLettersThatNobodySees) {
   EXPECT_TRUE(Places(catalogue()).save(turned, anna)) << "a name may need them";
   records::ContextRecord context;
   context.site = site;
-  context.number = "0014\u200B";
-  EXPECT_FALSE(Places(catalogue()).save(context, anna));
+  for (const char* number : {"0014\u200B", "12\n13", "12\t13"}) {
+    context.number = number;
+    EXPECT_FALSE(Places(catalogue()).save(context, anna)) << number;
+  }
 }
 
 TEST_F(PlacesTest, AChangeIsInTheHistoryOnce) {

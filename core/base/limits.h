@@ -45,7 +45,7 @@ inline constexpr Limit kImagePixels{
     "Pixels of an image", 400'000'000, "pixels",
     "the largest sensors have 200 million; they take 10 bytes each"};
 inline constexpr Limit kImageBytes{"Image file", 2047 * kMiB, "bytes",
-                                   "OpenCV counts the bytes of an image with 31 bits"};
+                                   "no camera writes more, and decoders count bytes with 31 bits"};
 inline constexpr Limit kTexturePixels{"Pixels of a model's texture", std::uint64_t{1} << 26,
                                       "pixels", "the program makes no larger page"};
 inline constexpr Limit kJpegScans{"Scans of a JPEG image", 100, "scans",

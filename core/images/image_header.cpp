@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "images/heif_image.h"
 #include "images/jpeg_image.h"
+#include "images/png_image.h"
 #include "images/raw_image.h"
 
 namespace ostraka::images {
@@ -193,7 +194,7 @@ Result<ImageSize> imageSize(std::string_view text, const std::string& where) {
   if (hasRawEnding(where)) return rawSize(text, where);
   if (isHeif(text)) return heifSize(text, where);
   if (isJpeg(text)) return jpegSize(bytes, where);
-  if (text.starts_with("\x89PNG\r\n\x1A\n")) return pngSize(bytes, where);
+  if (isPng(text)) return pngSize(bytes, where);
   if (text.starts_with(std::string_view("II*\0", 4))) return tiffSize(bytes, false, where);
   if (text.starts_with(std::string_view("MM\0*", 4))) return tiffSize(bytes, true, where);
   return Error::unusable(message("Not a JPEG, PNG, TIFF, HEIC or RAW image."), where);

@@ -20,7 +20,10 @@ TEST(ProgramPart, LiesBesideTheProgramOrWhereItIsInstalled) {
   std::ofstream(folder / name) << "x";
   EXPECT_EQ(programPart(name), folder / name);
   std::filesystem::remove(folder / name);
-  std::filesystem::remove_all(folder.parent_path() / "lib");
+  std::filesystem::remove(installed / name);
+  std::error_code holds_others;
+  std::filesystem::remove(installed, holds_others);
+  std::filesystem::remove(installed.parent_path(), holds_others);
 }
 
 }  // namespace

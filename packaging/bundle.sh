@@ -30,7 +30,7 @@ done
 rm -f "$root"/plugins/platforms/lib{qeglfs,qlinuxfb,qminimal,qminimalegl,qvkkhrdisplay,qvnc}.so
 cp -rL "$libraries"/libgphoto2/[0-9]* "$root/camera/drivers"
 cp -rL "$libraries"/libgphoto2_port/[0-9]* "$root/camera/ports"
-printf '[Paths]\nPrefix = ../..\nPlugins = plugins\n' > "$root/lib/ostraka/qt.conf"
+printf '[Paths]\nPrefix = ../..\nPlugins = plugins\n' > "$root/libexec/ostraka/qt.conf"
 
 # glibc is the system's, always: the program loader and the C library must be of one version.
 glibc='^(ld-linux.*|lib(c|m|mvec|dl|rt|pthread|resolv|util|anl|nss_.*|thread_db|BrokenLocale))\.so'
@@ -40,7 +40,7 @@ shared='^lib(GL|EGL|GLX|OpenGL|GLdispatch|GLESv2|drm.*|gbm|va.*|vdpau|OpenCL|vul
 shared+='|X11.*|Xau|Xdmcp|Xext|Xfixes|Xxf86vm|xcb.*|xshmfence|stdc\+\+|gcc_s|expat|z|zstd|elf'
 shared+='|ffi|xml2|tinfo|udev|systemd)\.so'
 
-find "$root/bin/ostraka" "$root/lib/ostraka" "$root/plugins" "$root/camera" -type f \
+find "$root/bin/ostraka" "$root/libexec/ostraka" "$root/plugins" "$root/camera" -type f \
   \( -name '*.so' -o -name 'ostraka*' \) > "$scratch/programs"
 : > "$scratch/sources"
 while read -r file; do
@@ -62,7 +62,7 @@ done < "$scratch/found"
 # Everything finds its needs from where it lies itself.
 chmod -R u+w "$root"
 patchelf --set-rpath "\$ORIGIN/../lib" "$root/bin/ostraka"
-patchelf --set-rpath "\$ORIGIN/.." "$root/lib/ostraka/ostraka-window" "$root/lib/ostraka/video_camera.so"
+patchelf --set-rpath "\$ORIGIN/../../lib" "$root/libexec/ostraka/ostraka-window" "$root/libexec/ostraka/video_camera.so"
 find "$root/lib" -maxdepth 1 -type f -exec patchelf --set-rpath "\$ORIGIN" {} +
 find "$root/plugins" "$root/camera" -name '*.so' -exec patchelf --set-rpath "\$ORIGIN/../../lib" {} +
 

@@ -12,7 +12,7 @@ TEST(ProgramPart, LiesBesideTheProgramOrWhereItIsInstalled) {
   const std::filesystem::path folder =
       std::filesystem::read_symlink("/proc/self/exe").parent_path();
   const std::string name = "part-of-a-test";
-  const std::filesystem::path installed = folder.parent_path() / "lib/ostraka";
+  const std::filesystem::path installed = folder.parent_path() / "libexec/ostraka";
   EXPECT_EQ(programPart(name), folder / name);
   std::filesystem::create_directories(installed);
   std::ofstream(installed / name) << "x";

@@ -64,6 +64,7 @@ chmod -R u+w "$root"
 patchelf --set-rpath "\$ORIGIN/../lib" "$root/bin/ostraka"
 patchelf --set-rpath "\$ORIGIN/../../lib" "$root/libexec/ostraka/ostraka-window" "$root/libexec/ostraka/video_camera.so"
 find "$root/lib" -maxdepth 1 -type f -exec patchelf --set-rpath "\$ORIGIN" {} +
+find "$root/lib/if-missing" -type f -exec patchelf --set-rpath "\$ORIGIN/../.." {} +
 find "$root/plugins" "$root/camera" -name '*.so' -exec patchelf --set-rpath "\$ORIGIN/../../lib" {} +
 
 cat > "$root/ostraka" << 'LAUNCHER'

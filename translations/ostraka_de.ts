@@ -15,7 +15,30 @@
     </message>
 </context>
 <context>
+    <name>SideLabels</name>
+    <message>
+      <source>A label among the fronts names %1, one among the backs %2: check that both sides show the same sherds, and type the bag that they are from.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Etikett bei den Vorderseiten nennt %1, eines bei den Rückseiten %2: Prüfen Sie, ob beide Seiten dieselben Scherben zeigen, und geben Sie deren Beutel ein.</translation>
+    </message>
+    <message>
+      <source>Labels of several bags are in the photographs: %1. Type the one that these sherds are from.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In den Fotos liegen Etiketten mehrerer Beutel: %1. Geben Sie den ein, aus dem diese Scherben sind.</translation>
+    </message>
+    <message>
+      <source>The label in the photographs names %1: check the bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Etikett in den Fotos nennt %1: Prüfen Sie den Beutel.</translation>
+    </message>
+</context>
+<context>
     <name>ostraka::ui::ImportAsk</name>
+    <message>
+      <source>The label in the photographs names %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Etikett in den Fotos nennt %1.</translation>
+    </message>
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1805,6 +1828,11 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
+    <message>
+      <source>The label beside the backs names %1, but the fronts are of %2: check that these are the same sherds, or correct the bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Etikett neben den Rückseiten nennt %1, die Vorderseiten sind aber aus %2: Prüfen Sie, ob es dieselben Scherben sind, oder berichtigen Sie den Beutel.</translation>
+    </message>
     <message>
       <source>Opening the rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -10713,6 +10741,11 @@
       <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Neue Nummern unterscheiden sich von vorhandenen nur in Nullen, Groß- und Kleinschreibung oder Satzzeichen: %1; auf Tippfehler prüfen.</translation>
+    </message>
+    <message>
+      <source>New contexts differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neue Befunde unterscheiden sich von vorhandenen nur in Nullen, Groß- und Kleinschreibung oder Satzzeichen: %1; auf Tippfehler prüfen.</translation>
     </message>
     <message>
       <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>

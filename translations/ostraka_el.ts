@@ -15,7 +15,30 @@
     </message>
 </context>
 <context>
+    <name>SideLabels</name>
+    <message>
+      <source>A label among the fronts names %1, one among the backs %2: check that both sides show the same sherds, and type the bag that they are from.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια ετικέτα στις μπροστινές όψεις αναφέρει %1 και μια στις πίσω %2: ελέγξτε ότι οι δύο όψεις δείχνουν τα ίδια όστρακα και πληκτρολογήστε τη σακούλα τους.</translation>
+    </message>
+    <message>
+      <source>Labels of several bags are in the photographs: %1. Type the one that these sherds are from.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στις φωτογραφίες υπάρχουν ετικέτες από πολλές σακούλες: %1. Πληκτρολογήστε εκείνη από την οποία είναι αυτά τα όστρακα.</translation>
+    </message>
+    <message>
+      <source>The label in the photographs names %1: check the bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η ετικέτα στις φωτογραφίες αναφέρει %1: ελέγξτε τη σακούλα.</translation>
+    </message>
+</context>
+<context>
     <name>ostraka::ui::ImportAsk</name>
+    <message>
+      <source>The label in the photographs names %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η ετικέτα στις φωτογραφίες αναφέρει %1.</translation>
+    </message>
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1805,6 +1828,11 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
+    <message>
+      <source>The label beside the backs names %1, but the fronts are of %2: check that these are the same sherds, or correct the bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η ετικέτα δίπλα στις πίσω όψεις αναφέρει %1, ενώ οι μπροστινές είναι από %2: ελέγξτε ότι είναι τα ίδια όστρακα ή διορθώστε τη σακούλα.</translation>
+    </message>
     <message>
       <source>Opening the rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -10713,6 +10741,11 @@
       <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Νέοι αριθμοί διαφέρουν από υπάρχοντες μόνο στα μηδενικά, στα πεζά ή κεφαλαία ή στα σημεία στίξης: %1· ελέγξτε για τυπογραφικά λάθη.</translation>
+    </message>
+    <message>
+      <source>New contexts differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέα πλαίσια διαφέρουν από υπάρχοντα μόνο στα μηδενικά, στα πεζά ή κεφαλαία ή στα σημεία στίξης: %1· ελέγξτε για τυπογραφικά λάθη.</translation>
     </message>
     <message>
       <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>

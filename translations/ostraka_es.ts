@@ -15,7 +15,30 @@
     </message>
 </context>
 <context>
+    <name>SideLabels</name>
+    <message>
+      <source>A label among the fronts names %1, one among the backs %2: check that both sides show the same sherds, and type the bag that they are from.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una etiqueta entre los anversos indica %1 y otra entre los reversos %2: compruebe que ambas caras muestran los mismos fragmentos y escriba su bolsa.</translation>
+    </message>
+    <message>
+      <source>Labels of several bags are in the photographs: %1. Type the one that these sherds are from.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En las fotografías hay etiquetas de varias bolsas: %1. Escriba la de estos fragmentos.</translation>
+    </message>
+    <message>
+      <source>The label in the photographs names %1: check the bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La etiqueta de las fotografías indica %1: compruebe la bolsa.</translation>
+    </message>
+</context>
+<context>
     <name>ostraka::ui::ImportAsk</name>
+    <message>
+      <source>The label in the photographs names %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La etiqueta de las fotografías indica %1.</translation>
+    </message>
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1805,6 +1828,11 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
+    <message>
+      <source>The label beside the backs names %1, but the fronts are of %2: check that these are the same sherds, or correct the bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La etiqueta junto a los reversos indica %1, pero los anversos son de %2: compruebe que son los mismos fragmentos o corrija la bolsa.</translation>
+    </message>
     <message>
       <source>Opening the rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -10713,6 +10741,11 @@
       <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay números nuevos que se distinguen de los existentes solo en los ceros, las mayúsculas o la puntuación: %1; compruebe si hay erratas.</translation>
+    </message>
+    <message>
+      <source>New contexts differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay contextos nuevos que se distinguen de los existentes solo en los ceros, las mayúsculas o la puntuación: %1; compruebe si hay erratas.</translation>
     </message>
     <message>
       <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>

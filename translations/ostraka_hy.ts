@@ -15,7 +15,30 @@
     </message>
 </context>
 <context>
+    <name>SideLabels</name>
+    <message>
+      <source>A label among the fronts names %1, one among the backs %2: check that both sides show the same sherds, and type the bag that they are from.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսների պիտակում նշված է %1, հետևի երեսների պիտակում՝ %2. ստուգեք՝ արդյոք երկու երեսները նույն բեկորներինն են, և մուտքագրեք դրանց տոպրակը։</translation>
+    </message>
+    <message>
+      <source>Labels of several bags are in the photographs: %1. Type the one that these sherds are from.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարներում մի քանի տոպրակի պիտակ կա՝ %1։ Մուտքագրեք այն, որից այս բեկորներն են։</translation>
+    </message>
+    <message>
+      <source>The label in the photographs names %1: check the bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարների պիտակում նշված է %1. ստուգեք տոպրակը։</translation>
+    </message>
+</context>
+<context>
     <name>ostraka::ui::ImportAsk</name>
+    <message>
+      <source>The label in the photographs names %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարների պիտակում նշված է %1։</translation>
+    </message>
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1805,6 +1828,11 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
+    <message>
+      <source>The label beside the backs names %1, but the fronts are of %2: check that these are the same sherds, or correct the bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսների մոտ դրված պիտակում նշված է %1, իսկ առջևի երեսները %2-ից են. ստուգեք՝ արդյոք նույն բեկորներն են, կամ ուղղեք տոպրակը։</translation>
+    </message>
     <message>
       <source>Opening the rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -10713,6 +10741,11 @@
       <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նոր համարներն առկա համարներից տարբերվում են միայն զրոներով, տառերի մեծությամբ կամ կետադրությամբ՝ %1. ստուգեք վրիպակները։</translation>
+    </message>
+    <message>
+      <source>New contexts differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր համատեքստերն առկաներից տարբերվում են միայն զրոներով, տառերի մեծությամբ կամ կետադրությամբ՝ %1. ստուգեք վրիպակները։</translation>
     </message>
     <message>
       <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>

@@ -15,7 +15,30 @@
     </message>
 </context>
 <context>
+    <name>SideLabels</name>
+    <message>
+      <source>A label among the fronts names %1, one among the backs %2: check that both sides show the same sherds, and type the bag that they are from.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzlerdeki bir etiket %1, arka yüzlerdeki bir etiket %2 diyor: iki yüzün aynı parçaları gösterip göstermediğini denetleyin ve torbalarını yazın.</translation>
+    </message>
+    <message>
+      <source>Labels of several bags are in the photographs: %1. Type the one that these sherds are from.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraflarda birden çok torbanın etiketi var: %1. Bu parçaların torbasını yazın.</translation>
+    </message>
+    <message>
+      <source>The label in the photographs names %1: check the bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraflardaki etiket %1 diyor: torbayı denetleyin.</translation>
+    </message>
+</context>
+<context>
     <name>ostraka::ui::ImportAsk</name>
+    <message>
+      <source>The label in the photographs names %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraflardaki etiket %1 diyor.</translation>
+    </message>
     <message>
       <source>Import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -1786,6 +1809,11 @@
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
+    <message>
+      <source>The label beside the backs names %1, but the fronts are of %2: check that these are the same sherds, or correct the bag.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzlerin yanındaki etiket %1 diyor, ön yüzler ise %2 torbasından: aynı parçalar olup olmadığını denetleyin ya da torbayı düzeltin.</translation>
+    </message>
     <message>
       <source>Opening the rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -10661,6 +10689,11 @@
       <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeni numaralar var olanlardan yalnızca sıfırlarda, büyük-küçük harfte ya da noktalamada ayrılıyor: %1; yazım hatası olup olmadığını denetleyin.</translation>
+    </message>
+    <message>
+      <source>New contexts differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeni kontekstler var olanlardan yalnızca sıfırlarda, büyük-küçük harfte ya da noktalamada ayrılıyor: %1; yazım hatası olup olmadığını denetleyin.</translation>
     </message>
     <message>
       <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>

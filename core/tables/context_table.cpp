@@ -17,6 +17,7 @@
 #include "tables/csv.h"
 #include "tables/import_table.h"
 #include "tables/portions.h"
+#include "tables/similar_contexts.h"
 
 namespace ostraka::tables {
 namespace {
@@ -139,7 +140,8 @@ void addOwnDifferences(std::vector<ChangedValue>& changed, const std::string& na
 }
 
 struct EnteredRow {
-  bool fresh = false;                 ///< its context or its bag was not there
+  bool fresh = false;  ///< its context or its bag was not there
+  bool fresh_context = false;
   std::vector<ChangedValue> changed;  ///< what was there before, and is another now
 };
 
@@ -149,7 +151,8 @@ EnteredRow enterRow(Catalogue& catalogue, const BagPlace& place, const Values& v
                     std::vector<std::string>& made) {
   Places known(catalogue);
   EnteredRow entered;
-  entered.fresh = !valueOrThrow(known.contextByPlace(place.site, place.trench, place.context));
+  entered.fresh_context =
+      !valueOrThrow(known.contextByPlace(place.site, place.trench, place.context));
   const auto row =
       valueOrThrow(known.contextAt(place.site, place.trench, place.context, provenance, made));
   const records::ContextRecord found = valueOrThrow(known.context(row));
@@ -172,6 +175,7 @@ EnteredRow enterRow(Catalogue& catalogue, const BagPlace& place, const Values& v
   if (!checked(store::checkedEdtf(context.date_edtf), "date_edtf", faults))
     context.date_edtf = found.date_edtf;
   checked(known.save(context, provenance), "context", faults);
+  entered.fresh = entered.fresh_context;
   if (!entered.fresh) {
     addDifferences(entered.changed, placeOf(context), found, context);
     addOwnDifferences(entered.changed, placeOf(context), found.extra_json, context.extra_json);
@@ -248,9 +252,10 @@ class ContextRows {
       report_.changed_values.push_back(std::move(value));
     }
     made_.insert(made.begin(), made.end());
-    return {};
+    return of_row.fresh_context ? similar_.note(catalogue_, *place) : Result<void>();
   }
   std::vector<std::string> madePlaces() const { return {made_.begin(), made_.end()}; }
+  std::optional<Message> similarContexts() const { return similar_.warning(); }
 
  private:
   Catalogue& catalogue_;
@@ -258,6 +263,7 @@ class ContextRows {
   const NumberRemarks& unclear_;
   const records::Provenance& provenance_;
   ImportReport& report_;
+  SimilarContexts similar_;
   std::set<std::string> made_;  ///< codes of sites ("ARM1") and trenches ("ARM1 T3")
 };
 
@@ -277,6 +283,7 @@ Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
   if (const std::vector<std::string> made = entering.madePlaces(); !made.empty())
     report.warnings.push_back(
         message("New sites and trenches: %1; check for typos.", joined(made, ", ")));
+  if (auto warning = entering.similarContexts()) report.warnings.push_back(std::move(*warning));
   return report;
 }
 

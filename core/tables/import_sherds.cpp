@@ -23,6 +23,7 @@
 #include "tables/damaged_number.h"
 #include "tables/import_table.h"
 #include "tables/portions.h"
+#include "tables/similar_contexts.h"
 #include "tables/table_joins.h"
 
 namespace ostraka::tables {
@@ -126,6 +127,7 @@ class Importing {
           message("New numbers differ from existing ones only in zeros, letter case or "
                   "punctuation: %1; check for typos.",
                   joined(similar_, ", ")));
+    if (auto warning = similar_contexts_.warning()) report_.warnings.push_back(*warning);
     if (!damaged_.empty())
       report_.warnings.push_back(
           message("A spreadsheet may have shortened these numbers or turned them into dates: %1; "
@@ -260,11 +262,14 @@ class Importing {
     if (options_.unknown_places == UnknownPlaces::Make) {
       const std::string site = valueOf(row, "site"), context = valueOf(row, "context");
       if (!site.empty() && !context.empty()) {
-        std::vector<std::string> made;
+        const std::string trench = valueOf(row, "trench");
         catalogue::Places places(catalogue_);
-        const auto place =
-            places.contextAt(site, valueOf(row, "trench"), context, provenance_, made);
+        const bool is_new = !valueOrThrow(places.contextByPlace(site, trench, context));
+        std::vector<std::string> made;
+        const auto place = places.contextAt(site, trench, context, provenance_, made);
         if (!place) fault("context", context, place.error().sentence());
+        if (place && is_new)
+          valueOrThrow(similar_contexts_.note(catalogue_, {site, trench, context, {}}));
         const std::string bag = valueOf(row, "bag");
         if (place && !bag.empty())
           if (const auto bagged = places.bagAt(*place, bag, provenance_); !bagged)
@@ -433,6 +438,7 @@ class Importing {
   ImportReport& report_;
   std::vector<FieldChange> done_, undo_;  ///< of the present row
   std::vector<std::string> similar_;      ///< numbers, each with the one that it resembles
+  SimilarContexts similar_contexts_;
   std::vector<std::string> damaged_, left_out_;
   /// Of the rows that have this number or uuid.
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines_;

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "ui/import/place_edit.h"
 #include "ui/import/sides_view.h"
@@ -21,6 +22,7 @@ ImportAsk::ImportAsk(QWidget* parent)
       words_(new QLabel(this)),
       sides_(new SidesView(this)),
       place_(new PlaceEdit(this)),
+      labels_(wrappedLabel(this, QStringLiteral("importLabels"))),
       reason_(wrappedLabel(this, QStringLiteral("importReason"))) {
   setObjectName(QStringLiteral("importAsk"));
   words_->setWordWrap(true);
@@ -37,7 +39,7 @@ ImportAsk::ImportAsk(QWidget* parent)
   filled(bareLayout<QVBoxLayout>(middle), {words_, sides_, Part::room()});
   // What is looked at is scrolled where it finds no room; what decides, and why not, is not.
   filled(bareLayout<QVBoxLayout>(this),
-         {{new PageArea(middle, this), 1}, reason_, place_->note(), row});
+         {{new PageArea(middle, this), 1}, reason_, labels_, place_->note(), row});
   connect(import_, &QPushButton::clicked, this, &ImportAsk::confirm);
   connect(leave, &QPushButton::clicked, this, &ImportAsk::leave);
   connect(place_, &PlaceEdit::entered, this, &ImportAsk::confirm);
@@ -55,10 +57,12 @@ ImportAsk::ImportAsk(QWidget* parent)
 
 void ImportAsk::ask(const QString& folder, ImportKind kind) {
   sides_->hide();
+  codes_.clear();
   open(folder, kind);
 }
 
 void ImportAsk::askSides(const SidesPlan& plan) {
+  codes_.clear();
   sides_->show();
   sides_->setPlan(plan);
   open(plan.from, ImportKind::Photographs);
@@ -76,6 +80,35 @@ bool ImportAsk::areSidesDecided() const {
 void ImportAsk::follow() {
   import_->setEnabled(isReady());
   reason_->setVisible(!areSidesDecided());
+  followLabels();
+}
+
+void ImportAsk::takeCodes(std::vector<capture::PhotographCodes> seen) {
+  codes_ = std::move(seen);
+  const auto bag = labels().bag();
+  if (bag && place_->text().isEmpty()) {
+    place_->setText(bag->typed());
+    place_->choose();
+  }
+  follow();
+  emit placeEdited();
+}
+
+SideLabels ImportAsk::labels() const {
+  return labelsOf(codes_, sides_->plan().sides(),
+                  [this](const QString& code) { return place_->read(code); });
+}
+
+void ImportAsk::followLabels() {
+  QString words;
+  if (!codes_.empty()) {
+    const SideLabels found = labels();
+    words = found.doubt(place_->place());
+    if (const auto bag = found.bag(); words.isEmpty() && bag && !place_->text().isEmpty())
+      words = tr("The label in the photographs names %1.").arg(bag->words());
+  }
+  labels_->setText(words);
+  labels_->setVisible(!words.isEmpty());
 }
 
 void ImportAsk::open(const QString& folder, ImportKind kind) {

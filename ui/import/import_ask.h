@@ -1,8 +1,10 @@
 #pragma once
 #include <QWidget>
+#include <vector>
 
 #include "ui/import/import_batch.h"
 #include "ui/import/place_text.h"
+#include "ui/import/side_labels.h"
 
 class QLabel;
 
@@ -27,6 +29,9 @@ class ImportAsk final : public QWidget {
   void ask(const QString& folder, ImportKind kind);
   /// The same of photographs by hand, whose sides are confirmed, too.
   void askSides(const SidesPlan& plan);
+  /// Codes in photographs of askSides: the bag that their labels name stands in the field, unless a
+  /// person has typed one.
+  void takeCodes(std::vector<capture::PhotographCodes> seen);
   /// As it was confirmed last: that could not be imported.
   void askAgain();
   void leave();
@@ -48,12 +53,16 @@ class ImportAsk final : public QWidget {
   bool isReady() const;
   bool areSidesDecided() const;
   void follow();
+  SideLabels labels() const;
+  void followLabels();
 
   QString folder_;
   ImportKind kind_ = ImportKind::Photographs;
   QLabel* words_;
   SidesView* sides_;
   PlaceEdit* place_;
+  QLabel* labels_;  ///< what labels in the photographs say
+  std::vector<capture::PhotographCodes> codes_;
   QLabel* reason_;  ///< why it cannot be imported yet
   BigButton* import_;
 };

@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QWidget>
 
+#include "capture/label_code.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/import_ask.h"
 #include "ui/import/path_drop.h"
@@ -17,6 +18,7 @@ namespace {
 constexpr const char* kSheetKey = "import.sheet";
 constexpr QLatin1String kNoSheet("none");  // a person cleared it, or typed a marker's size
 constexpr const char* kMarkerKey = "import.marker_mm";
+constexpr std::size_t kLookedAtForLabels = 5;  // of a side: a second or less each
 
 }  // namespace
 
@@ -39,6 +41,7 @@ ImportChooser::ImportChooser(QWidget* screen, ImportAsk* ask)
 
 void ImportChooser::setSession(ProjectSession* session) {
   dropJob(job_);
+  dropJob(labels_job_);
   session_ = session;
   screen_->setAcceptDrops(session != nullptr);
 }
@@ -75,12 +78,30 @@ void ImportChooser::chooseBack() {
     if (!both) return emit failed(both.error());
     ask_->sides()->setPlan(*both);
     ask_->askAgain();
+    readLabels();
+  });
+}
+
+// Who has confirmed the import meanwhile is not disturbed any more.
+void ImportChooser::readLabels() {
+  dropJob(labels_job_);
+  const ImportSides sides = ask_->sides()->plan().sides();
+  const auto read = [sides](Progress&, std::stop_token stop) {
+    auto seen = capture::codesInSome(sides.front, kLookedAtForLabels, stop);
+    const auto backs = capture::codesInSome(sides.back, kLookedAtForLabels, stop);
+    if (seen && backs) seen->insert(seen->end(), backs->begin(), backs->end());
+    return seen;
+  };
+  labels_job_ = session_->jobs().start(makeJob(read, JobPriority::Background), this);
+  whenDone<std::vector<capture::PhotographCodes>>(labels_job_, this, [this](const auto& seen) {
+    if (seen && ask_->isAsking()) ask_->takeCodes(*seen);
   });
 }
 
 void ImportChooser::take(const QStringList& paths) {
   if (session_ == nullptr || paths.isEmpty()) return;
   dropJob(job_);
+  dropJob(labels_job_);
   job_ = session_->jobs().start(makeJob([paths, last = lastSheet()](Progress&, std::stop_token) {
                                   return planSides(paths, last);
                                 }),
@@ -91,6 +112,7 @@ void ImportChooser::take(const QStringList& paths) {
       (*plan)->marker_mm = lastMarker();
       (*plan)->marker_proposed = (*plan)->marker_mm.has_value();
       ask_->askSides(**plan);
+      readLabels();
     } else
       ask_->ask(paths.front(), ImportKind::Photographs);
   });

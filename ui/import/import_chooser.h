@@ -33,13 +33,14 @@ class ImportChooser final : public QObject {
 
  private:
   void chooseBack();
+  void readLabels();
   std::filesystem::path lastSheet() const;
   std::optional<double> lastMarker() const;
 
   QWidget* screen_;
   ImportAsk* ask_;
   QPointer<ProjectSession> session_;
-  QPointer<JobHandle> job_;
+  QPointer<JobHandle> job_, labels_job_;
 };
 
 }  // namespace ostraka::ui

@@ -22,6 +22,8 @@ class PlaceEdit final : public QWidget {
   void setNews(std::function<QString(const PlaceText&)> news);
   /// Of the project, for the example in the empty field; empty: there is none yet.
   void setSite(const QString& code);
+  /// A bag by the text of a label's code, as the reader understands it.
+  std::optional<PlaceText> read(const QString& code) const { return reader_(code); }
   void setText(const QString& text);
   QString text() const;
   void setCompact(bool compact);

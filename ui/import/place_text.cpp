@@ -4,6 +4,8 @@
 #include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "catalogue/label_codes.h"
 #include "catalogue/places.h"
@@ -89,6 +91,32 @@ QString PlaceText::typed() const {
   QStringList parts{site, trench, context, bag};
   parts.removeAll(QString());
   return parts.join(QLatin1Char('-'));
+}
+
+bool PlaceText::differsFrom(const PlaceText& other) const {
+  const auto differ = [](const QString& one, const QString& another) {
+    return !one.isEmpty() && !another.isEmpty() && !isSame(one, another);
+  };
+  return differ(site, other.site) || differ(trench, other.trench) ||
+         differ(context, other.context) || differ(bag, other.bag);
+}
+
+std::vector<PlaceText> bagsOn(
+    const QStringList& codes,
+    const std::function<std::optional<PlaceText>(const QString&)>& reader) {
+  std::map<QString, PlaceText> bags;
+  for (const QString& code : codes)
+    if (code.startsWith(QLatin1String("OST1:")))
+      if (const auto place = reader(code)) bags.emplace(place->words(), *place);
+  std::vector<PlaceText> each;
+  for (auto& [words, place] : bags) each.push_back(std::move(place));
+  return each;
+}
+
+QString wordsOf(const std::vector<PlaceText>& places) {
+  QStringList words;
+  for (const PlaceText& place : places) words << place.words();
+  return words.join(QStringLiteral(", "));
 }
 
 std::optional<PlaceText> readPlaceText(const QString& text) {

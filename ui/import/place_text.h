@@ -1,7 +1,10 @@
 #pragma once
 #include <QString>
+#include <QStringList>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "base/result.h"
 
@@ -24,6 +27,8 @@ struct PlaceText {
   QString words() const;
   /// As a person types it: "ARM1-T3-0012-4".
   QString typed() const;
+  /// Both name a site, a trench, a context or a bag, and not the same one.
+  bool differsFrom(const PlaceText& other) const;
 };
 
 /// Reads "ARM1-T3-0012-4", "ARM1 / T3 / 0012 bag 4" and the text of a bag's QR code,
@@ -33,6 +38,15 @@ std::optional<PlaceText> readPlaceText(const QString& text);
 /// The same, by what the project knows: a label leads to the bag that carries it whatever its codes
 /// are by now, and codes that have marks themselves (AR-TS) are recognised, in any capitals.
 std::optional<PlaceText> findPlaceText(const catalogue::Catalogue& catalogue, const QString& text);
+
+/// The bags whose labels are among these QR codes, each once, in order of their words. `reader`
+/// understands the text of a code.
+std::vector<PlaceText> bagsOn(
+    const QStringList& codes,
+    const std::function<std::optional<PlaceText>(const QString&)>& reader);
+
+/// The same in words, one after the other.
+QString wordsOf(const std::vector<PlaceText>& places);
 
 /// The code of the project's site, the first of several; empty where there is none yet.
 QString siteOf(const catalogue::Catalogue& catalogue);

@@ -1,6 +1,6 @@
 #include "ui/wizard/batch_description.h"
 
-#include <map>
+#include <utility>
 
 #include "ui/frame/project_session.h"
 #include "ui/wizard/batch_in_hand.h"
@@ -46,27 +46,47 @@ void BatchDescription::takeNumbersAsRight() {
   emit changed();
 }
 
+// Counts how long no label was in sight.
+std::vector<PlaceText> BatchDescription::bagsIn(const QStringList& codes) {
+  std::vector<PlaceText> bags = bagsOn(codes, [this](const QString& code) {
+    return findPlaceText(session_->project().catalogue(), code);
+  });
+  looks_without_label_ = bags.empty() ? looks_without_label_ + 1 : 0;
+  return bags;
+}
+
 // What was typed stays until another bag's label comes into sight, or this one once more. Of two
 // bags nobody knows whose sherds lie there.
 void BatchDescription::readLabels(const QStringList& codes) {
-  std::map<QString, PlaceText> bags;
-  for (const QString& code : codes)
-    if (code.startsWith(QLatin1String("OST1:")))
-      if (const auto place = findPlaceText(session_->project().catalogue(), code))
-        bags.emplace(place->words(), *place);
-  QStringList seen;
-  for (const auto& [words, place] : bags) seen << words;
-  looks_without_label_ = seen.isEmpty() ? looks_without_label_ + 1 : 0;
+  const std::vector<PlaceText> bags = bagsIn(codes);
   if (looks_without_label_ == kLooksUntilGone) labels_.clear();
+  QStringList seen;
+  for (const PlaceText& bag : bags) seen << bag.words();
   if (seen.isEmpty() || seen == labels_) return;
   labels_ = seen;
   if (bags.size() > 1)
     return emit said(CaptureWizard::tr("Labels of several bags are in sight: %1. Leave the one of "
                                        "these sherds.")
-                         .arg(seen.join(QStringLiteral(", "))));
-  setPlace(bags.begin()->second);
+                         .arg(wordsOf(bags)));
+  setPlace(bags.front());
   emit placeRead();
   emit said(CaptureWizard::tr("Read from the label: %1").arg(seen.front()));
+}
+
+// A batch whose bag nobody gave takes it from the label also now.
+void BatchDescription::compareLabels(const QStringList& codes) {
+  if (place_.isEmpty()) return readLabels(codes);
+  std::vector<PlaceText> bags = bagsIn(codes);
+  if (bags.empty() && looks_without_label_ < kLooksUntilGone) return;
+  const QString before = otherBag();
+  of_backs_ = std::move(bags);
+  if (otherBag() != before) emit changed();
+}
+
+QString BatchDescription::otherBag() const {
+  for (const PlaceText& bag : of_backs_)
+    if (!bag.differsFrom(place_)) return {};
+  return wordsOf(of_backs_);
 }
 
 }  // namespace ostraka::ui

@@ -2,6 +2,7 @@
 #include <QObject>
 #include <QPointer>
 #include <QStringList>
+#include <vector>
 
 #include "ui/import/place_text.h"
 
@@ -22,7 +23,11 @@ class BatchDescription final : public QObject {
   void setSession(ProjectSession* session);
   const PlaceText& place() const { return place_; }
   void takePlaceOfBatch();
-  void readLabels(const QStringList& codes);  ///< QR codes in sight
+  void readLabels(const QStringList& codes);  ///< QR codes in sight while sherds are placed
+  /// The same while they are turned over: what other bag's label lies there makes a doubt.
+  void compareLabels(const QStringList& codes);
+  QString otherBag() const;  ///< on labels beside the backs that do not name place(); empty: none
+  void forgetLabelsOfBacks() { of_backs_.clear(); }
 
  public slots:
   void setPlace(const ostraka::ui::PlaceText& place);
@@ -39,6 +44,9 @@ class BatchDescription final : public QObject {
   QPointer<ProjectSession> session_;
   BatchInHand* batch_;
   PlaceText place_;
+  std::vector<PlaceText> bagsIn(const QStringList& codes);
+
+  std::vector<PlaceText> of_backs_;  ///< on labels, last seen while sherds were turned over
   QStringList labels_;  ///< of bags, seen last; while they lie there they say nothing new
   int looks_without_label_ = 0;
 };

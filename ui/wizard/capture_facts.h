@@ -22,7 +22,7 @@ struct PlatePicture {
   QImage image;
   capture::PlateInspection inspection;
   capture::Clearance room;  ///< for more, while sherds are being placed
-  QStringList codes;        ///< QR codes that lie in sight while sherds are being placed
+  QStringList codes;        ///< QR codes in sight while sherds are placed or turned over
 };
 
 /// One photograph of the side that is being shot.

@@ -58,7 +58,10 @@ CaptureWizard::CaptureWizard(QObject* parent)
   connect(pictures_, &PlatePictures::cameraChanged, this, &CaptureWizard::changed);
   connect(pictures_, &PlatePictures::liveTurnedOn, this,
           [this] { to_reshoot_ = batch_.toPhotographAgain(); });
-  connect(pictures_, &PlatePictures::codesSeen, description_, &BatchDescription::readLabels);
+  connect(pictures_, &PlatePictures::codesSeen, this, [this](const QStringList& codes) {
+    if (phase_ == CapturePhase::Flip) return description_->compareLabels(codes);
+    description_->readLabels(codes);
+  });
   connect(pictures_, &PlatePictures::frontCounted, this, &CaptureWizard::takeFrontCount);
   connect(side_, &SideProgress::preparing, this, &CaptureWizard::changed);
   connect(description_, &BatchDescription::changed, this, &CaptureWizard::changed);
@@ -157,6 +160,7 @@ void CaptureWizard::forgetPlate() {
   doubts_ = {};
   summary_ = {};
   queued_ = false;
+  description_->forgetLabelsOfBacks();
   to_reshoot_ = batch_.toPhotographAgain();
   side_->forget();
   pictures_->forget();
@@ -226,6 +230,11 @@ void CaptureWizard::stop() {
 QStringList CaptureWizard::doubts() const {
   QStringList all = doubts_.found;
   if (!doubts_.count.isEmpty()) all << doubts_.count;
+  const bool asks = phase_ == CapturePhase::Flip || (phase_ == CapturePhase::Done && !queued_);
+  if (const QString other = description_->otherBag(); asks && !other.isEmpty())
+    all << tr("The label beside the backs names %1, but the fronts are of %2: check that these are "
+              "the same sherds, or correct the bag.")
+               .arg(other, description_->place().words());
   if (doubts_.repeat)
     all << tr(
         "Nothing is wrong with the photographs of this side. Space or Esc keeps them; R once "

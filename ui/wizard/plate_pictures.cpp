@@ -22,7 +22,8 @@ const QSize kFrontPicture(1800, 1400);  // as large as it is ever shown
 
 enum class LookFor {
   Sherds,
-  RoomAndLabels,  ///< and where more may lie, and a bag's label: while they are being placed
+  SherdsAndLabels,  ///< and a bag's label: while they are turned over
+  RoomAndLabels,    ///< and where more may lie, and a bag's label: while they are being placed
 };
 
 // The picture and what the plate shows, outlines in the pixels of the picture that is shown.
@@ -31,7 +32,7 @@ Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate,
   if (!seen.image.loadFromData(reinterpret_cast<const uchar*>(bytes.data()),
                                static_cast<int>(bytes.size())))
     return Error{ErrorCode::UnusableInput, "The camera's picture cannot be read.", {}};
-  if (look_for == LookFor::Sherds) {
+  if (look_for != LookFor::RoomAndLabels) {
     Result<capture::PlateInspection> inspection = capture::inspectPlate(bytes, plate, {});
     if (!inspection) return inspection.error();
     seen.inspection = std::move(*inspection);
@@ -40,9 +41,10 @@ Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate,
     if (!inspection) return inspection.error();
     seen.inspection = std::move(inspection->inspection);
     seen.room = std::move(inspection->room);
+  }
+  if (look_for != LookFor::Sherds)
     if (const auto codes = capture::codesIn(bytes))
       for (const std::string& code : *codes) seen.codes << QString::fromStdString(code);
-  }
   if (seen.inspection.width > kFrontPicture.width() ||
       seen.inspection.height > kFrontPicture.height())
     seen.image = seen.image.scaled(kFrontPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation);
@@ -101,22 +103,23 @@ void PlatePictures::preview() {
 void PlatePictures::takeLive() {
   const bool useful = phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip;
   if (!live_on_ || !useful || live_missing_ || rig_->devices() == nullptr) return;
-  rig_->preview(
-      makeJob([devices = rig_->devices(), camera = camera_,
-               look_for = phase_ == CapturePhase::Place ? LookFor::RoomAndLabels : LookFor::Sherds](
-                  Progress&, std::stop_token stop) -> Result<PlatePicture> {
-        const Result<std::string> picture =
-            devices->cameras[static_cast<std::size_t>(camera)]->preview(stop);
-        if (!picture) return picture.error();
-        return lookAt(*picture, devices->plate, look_for);
-      }),
-      [this](const JobOutcome& outcome) { showLive(outcome); });
+  const LookFor look_for =
+      phase_ == CapturePhase::Place ? LookFor::RoomAndLabels : LookFor::SherdsAndLabels;
+  rig_->preview(makeJob([devices = rig_->devices(), camera = camera_, look_for](
+                            Progress&, std::stop_token stop) -> Result<PlatePicture> {
+                  const Result<std::string> picture =
+                      devices->cameras[static_cast<std::size_t>(camera)]->preview(stop);
+                  if (!picture) return picture.error();
+                  return lookAt(*picture, devices->plate, look_for);
+                }),
+                [this](const JobOutcome& outcome) { showLive(outcome); });
 }
 
 void PlatePictures::showLive(const JobOutcome& outcome) {
   if (Result<PlatePicture> picture = outcomeAs<PlatePicture>(outcome)) {
     live_ = std::move(*picture);
-    if (phase_ == CapturePhase::Place) emit codesSeen(live_->codes);
+    const bool useful = phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip;
+    if (useful) emit codesSeen(live_->codes);
   } else if (picture.error().code != ErrorCode::Cancelled) {
     // No live picture is no fault: the photographs will tell.
     live_missing_ = picture.error().code == ErrorCode::Missing;

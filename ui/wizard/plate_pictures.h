@@ -42,7 +42,7 @@ class PlatePictures final : public QObject {
   void changed();  ///< live() or front()
   void cameraChanged();
   void liveTurnedOn();
-  void codesSeen(const QStringList& codes);  ///< while sherds are placed
+  void codesSeen(const QStringList& codes);  ///< while sherds are placed or turned over
   void frontCounted(const ostraka::capture::SideCheck& check);
 
  private:

@@ -6,6 +6,9 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/objdetect.hpp>
 
+#include "files/files.h"
+#include "tests/core/files/temporary_folder.h"
+
 namespace ostraka::capture {
 namespace {
 
@@ -55,6 +58,36 @@ TEST(LabelCode, APictureWithoutOneHasNone) {
   ASSERT_TRUE(codes);
   EXPECT_THAT(*codes, IsEmpty());
   EXPECT_FALSE(codesIn("no picture"));
+}
+
+// Every photograph of a long series would take too long, and its neighbours show the same.
+TEST(LabelCode, OfASeriesThoseThatAreSpreadOverItAreLookedAt) {
+  TemporaryFolder dir;
+  std::vector<std::filesystem::path> series;
+  for (int k = 0; k < 9; ++k) {
+    series.push_back(dir.path() / ("IMG_" + std::to_string(k) + ".jpg"));
+    if (k == 8) continue;  // it cannot be read
+    const std::string picture = photographOf({"OST1:B:A-1-2-" + std::to_string(k) + ":1"}, 5);
+    ASSERT_TRUE(writeFileAtomically(series.back(), picture));
+  }
+  const auto seen = codesInSome(series, 3, {});
+  ASSERT_TRUE(seen);
+  ASSERT_EQ(seen->size(), 3u);
+  EXPECT_EQ((*seen)[0].file, series[0]);
+  EXPECT_THAT((*seen)[0].texts, ElementsAre("OST1:B:A-1-2-0:1"));
+  EXPECT_EQ((*seen)[1].file, series[4]);
+  EXPECT_THAT((*seen)[1].texts, ElementsAre("OST1:B:A-1-2-4:1"));
+  EXPECT_EQ((*seen)[2].file, series[8]);
+  EXPECT_THAT((*seen)[2].texts, IsEmpty());
+  const auto one = codesInSome({series[2]}, 3, {});
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->size(), 1u);
+  EXPECT_TRUE(codesInSome({}, 3, {})->empty());
+  std::stop_source stopped;
+  stopped.request_stop();
+  const auto none = codesInSome(series, 3, stopped.get_token());
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::Cancelled);
 }
 
 }  // namespace

@@ -12,6 +12,9 @@
 #include <QSlider>
 #include <QUrl>
 #include <QtTest>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/objdetect.hpp>
 
 #include "capture_bench.h"
 #include "catalogue/batches.h"
@@ -159,6 +162,43 @@ class CaptureImportTest : public CaptureBench {
     QCOMPARE(screen_->whereWords(), QStringLiteral("ARM1 / T3 / 0012 bag 6"));
   }
 
+  void theBagIsReadFromItsLabelInThePhotographs() {
+    photographs("fronts", 4);
+    photographs("backs", 4);
+    label("fronts/IMG_1.jpg", "OST1:B:ARM1-T3-0012-4:7F3K9Q2M");
+    label("backs/IMG_2.jpg", "OST1:B:ARM1-T3-0012-4:7F3K9Q2M");
+    label("backs/IMG_3.jpg", "https://example.org/ARM1-T3-0012-9");
+    drop({disk_->filePath("fronts"), disk_->filePath("backs")});
+    auto* ask = screen_->findChild<ImportAsk*>();
+    QTRY_COMPARE(ask->place()->text(), QStringLiteral("ARM1-T3-0012-4"));
+    QVERIFY(child<QLabel>("importLabels")->text().contains("names ARM1 / T3 / 0012 bag 4"));
+    QCOMPARE(screen_->whereWords(), QStringLiteral("ARM1 / T3 / 0012 bag 4"));
+    QVERIFY(ask->import()->isEnabled());
+    // A person who types another is told.
+    auto* edit = ask->place()->findChild<QLineEdit*>();
+    edit->selectAll();
+    QTest::keyClicks(edit, "ARM1-T3-0012-5");
+    QVERIFY(child<QLabel>("importLabels")->text().contains("check the bag"));
+    // The next import's photographs have no label.
+    photographs("series", 8);
+    drop({disk_->filePath("series")});
+    QTRY_VERIFY(ask->place()->text().isEmpty());
+    QVERIFY(!child<QLabel>("importLabels")->isVisible());
+  }
+
+  void labelsOfTwoBagsOnTheTwoSidesAreADoubt() {
+    photographs("fronts", 4);
+    photographs("backs", 4);
+    label("fronts/IMG_0.jpg", "OST1:B:ARM1-T3-0012-4:7F3K9Q2M");
+    label("backs/IMG_0.jpg", "OST1:B:ARM1-T3-0012-5:8G4L0R3N");
+    drop({disk_->filePath("fronts"), disk_->filePath("backs")});
+    auto* labels = child<QLabel>("importLabels");
+    QTRY_VERIFY(labels->isVisible());
+    QVERIFY(labels->text().contains("fronts names ARM1 / T3 / 0012 bag 4"));
+    QVERIFY(labels->text().contains("backs ARM1 / T3 / 0012 bag 5"));
+    QVERIFY(screen_->findChild<ImportAsk*>()->place()->text().isEmpty());
+  }
+
   void anImportThatIsRefusedComesBackToTheFilledPage() {
     photographs("up", 4);
     photographs("dn", 4);  // the same pictures
@@ -283,6 +323,18 @@ class CaptureImportTest : public CaptureBench {
       image.fill(QColor::fromHsv(i * 40, 20 * static_cast<int>(folder.size()), 200));
       QVERIFY(image.save(disk_->filePath(QString("%1/IMG_%2.jpg").arg(folder).arg(i))));
     }
+  }
+
+  // A label with this code lies in a photograph.
+  void label(const QString& photograph, const std::string& text) {
+    cv::Mat code;
+    cv::QRCodeEncoder::create()->encode(text, code);
+    cv::resize(code, code, {}, 5, 5, cv::INTER_NEAREST);
+    cv::copyMakeBorder(code, code, 30, 30, 30, 30, cv::BORDER_CONSTANT, 255);
+    const std::string file = disk_->filePath(photograph).toStdString();
+    cv::Mat picture = cv::imread(file, cv::IMREAD_GRAYSCALE);
+    code.copyTo(picture(cv::Rect(100, 100, code.cols, code.rows)));
+    QVERIFY(cv::imwrite(file, picture));
   }
 
   void drop(const QStringList& folders) {

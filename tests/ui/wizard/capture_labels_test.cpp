@@ -117,6 +117,66 @@ class CaptureLabelsTest : public QObject {
     QTRY_COMPARE(bench.wizard.description()->place().context, QStringLiteral("0012"));
   }
 
+  // The sherds of another bag were laid down where those of this batch should have been turned
+  // over.
+  void anotherBagsLabelBesideTheBacksIsADoubt() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.preview = pictureOfLabel(kLabel4);
+    bench.wizard.pictures()->setLive(true);
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.description()->place().bag, QStringLiteral("4"));
+    bench.goOn(CapturePhase::Flip);
+    QVERIFY(bench.wizard.doubts().isEmpty());
+    bench.rig.preview = pictureOfLabel(kLabel5);
+    QTRY_COMPARE(bench.wizard.doubts().size(), 1);
+    QVERIFY(bench.wizard.doubts()[0].contains("names ARM1 / T3 / 0012 bag 5"));
+    QVERIFY(bench.wizard.doubts()[0].contains("of ARM1 / T3 / 0012 bag 4"));
+    QCOMPARE(bench.wizard.description()->place().bag, QStringLiteral("4"));
+    // Both lie there: the bag's own is one of them.
+    bench.rig.preview = pictureOfLabels({kLabel4, kLabel5});
+    QTRY_VERIFY(bench.wizard.doubts().isEmpty());
+    bench.rig.preview = pictureOfLabel(kLabel5);
+    QTRY_COMPARE(bench.wizard.doubts().size(), 1);
+    // Who goes on all the same is asked before the batch goes into the queue.
+    bench.goOn(CapturePhase::Done);
+    QCOMPARE(bench.wizard.doubts().size(), 1);
+    QVERIFY(!bench.wizard.isQueued());
+    bench.wizard.next();
+    QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+    QVERIFY(bench.wizard.doubts().isEmpty());
+  }
+
+  void aDoubtAboutTheLabelGoesWithTheLabelOrWithTheBag() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.wizard.description()->setPlace(*readPlaceText("ARM1-T3-0012-4"));
+    bench.rig.preview = pictureOfLabel("no label");
+    bench.wizard.pictures()->setLive(true);
+    bench.toFlip();
+    const auto layDown = [&](const std::string& picture) { bench.rig.preview = picture; };
+    layDown(pictureOfLabel(kLabel5));
+    QTRY_COMPARE(bench.wizard.doubts().size(), 1);
+    layDown(pictureOfLabel("no label"));  // it was the wrong bag's, and was taken away
+    QTRY_VERIFY(bench.wizard.doubts().isEmpty());
+    layDown(pictureOfLabel(kLabel5));
+    QTRY_COMPARE(bench.wizard.doubts().size(), 1);
+    bench.wizard.description()->setPlace(*readPlaceText("arm1-T3-0012-5"));  // the bag was wrong
+    QVERIFY(bench.wizard.doubts().isEmpty());
+  }
+
+  void aBatchWithoutABagTakesTheLabelBesideItsBacks() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.rig.preview = pictureOfLabel("no label");
+    bench.wizard.pictures()->setLive(true);
+    bench.toFlip();
+    QVERIFY(bench.wizard.description()->place().isEmpty());
+    bench.rig.preview = pictureOfLabel(kLabel5);
+    QTRY_COMPARE(bench.wizard.description()->place().bag, QStringLiteral("5"));
+    QVERIFY(bench.wizard.doubts().isEmpty());
+  }
+
   void anyOtherCodeIsNoPlace() {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);

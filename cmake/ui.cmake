@@ -1,5 +1,7 @@
-# What every target of the window is built with: Qt's headers are compiled once, and shared.
+# What every target of the window is built with: Qt's headers are compiled once, and shared. The
+# window computes little.
 add_library(ostraka_qt STATIC ${CMAKE_SOURCE_DIR}/cmake/precompiled.cpp)
+set_target_properties(ostraka_qt PROPERTIES OSTRAKA_LEVEL 1)
 target_link_libraries(ostraka_qt PUBLIC ostraka_flags Qt6::Widgets Qt6::Svg Qt6::PrintSupport)
 target_precompile_headers(ostraka_qt PRIVATE <QtWidgets>)
 get_target_property(moc Qt6::moc LOCATION)
@@ -9,8 +11,23 @@ configure_file(cmake/moc.in ${CMAKE_BINARY_DIR}/moc @ONLY)
 # One static library per folder of ui; DEPENDS are folders of ui, LINKS folders of core or others.
 function(ostraka_ui name)
   cmake_parse_arguments(A "" "" "SOURCES;DEPENDS;LINKS" ${ARGN})
-  add_library(ostraka_ui_${name} STATIC ${A_SOURCES})
-  set_target_properties(ostraka_ui_${name} PROPERTIES AUTOMOC ON AUTORCC ON
+  # What moc writes is compiled with the folder's sources: alone it would read their headers again,
+  # for ten seconds. A header that got its Q_OBJECT later is compiled by AUTOMOC meanwhile.
+  set(mocs)
+  file(GLOB headers RELATIVE ${CMAKE_SOURCE_DIR} *.h)
+  foreach(header ${headers})
+    file(STRINGS ${CMAKE_SOURCE_DIR}/${header} marked REGEX "^ *Q_OBJECT")
+    get_filename_component(stem ${header} NAME_WE)
+    if(marked)
+      string(APPEND mocs "#include \"ui/${name}/moc_${stem}.cpp\"\n")
+    endif()
+  endforeach()
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/mocs.cpp CONTENT "${mocs}" @ONLY)
+  add_library(ostraka_ui_${name} STATIC ${A_SOURCES} ${CMAKE_CURRENT_BINARY_DIR}/mocs.cpp)
+  set_source_files_properties(
+    ${CMAKE_CURRENT_BINARY_DIR}/ostraka_ui_${name}_autogen/mocs_compilation.cpp
+    PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  set_target_properties(ostraka_ui_${name} PROPERTIES AUTOMOC ON AUTORCC ON OSTRAKA_LEVEL 1
     AUTOMOC_EXECUTABLE ${CMAKE_BINARY_DIR}/moc)
   target_link_libraries(ostraka_ui_${name} PUBLIC ostraka_qt ${A_LINKS})
   target_precompile_headers(ostraka_ui_${name} REUSE_FROM ostraka_qt)

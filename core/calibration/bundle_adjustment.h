@@ -68,7 +68,7 @@ struct OwnLenses {
       lens_of_camera;            ///< by RigState::cameras; photographs of one lens share a number
   double focal_sd = 0.005;       ///< relative
   double centre_sd = 0.0025;     ///< of the principal point, in widths of the picture
-  double distortion_sd = 0.002;  ///< of k1 and k2; a tenth of it of p1 and p2
+  double distortion_sd = 0.002;  ///< of k1, k2 and k3; a tenth of it of p1 and p2
 };
 
 struct AdjustOptions {

@@ -93,8 +93,8 @@ TEST(Adjust, TurnsCamerasBehindAFisheyeAndKeepsItsTerms) {
   RigState truth = rig::trueRig();
   const rig::Distortion fisheye{{0.03, -0.01, 0.004, -0.001}, rig::Lens::Fisheye};
   truth.cameras[0].intrinsics.distortion = fisheye;
-  truth.cameras[1].intrinsics.distortion = {
-      {0.9, 0.1, 0, 0, 0, 1, 0.2, 0, 0.001, 0, -0.001, 0}, rig::Lens::Full};
+  truth.cameras[1].intrinsics.distortion = {{0.9, 0.1, 0, 0, 0, 1, 0.2, 0, 0.001, 0, -0.001, 0},
+                                            rig::Lens::Full};
   for (RigState::Camera& camera : truth.cameras)
     camera.intrinsics.fx = camera.intrinsics.fy = 1300;  // wide: the lens shows
   RigState start = disturbed(truth);
@@ -115,7 +115,8 @@ struct ByHand {
   OwnLenses lenses;
 };
 
-ByHand photographedByHand(double noise_px) {
+ByHand photographedByHand(double noise_px, const rig::Intrinsics& lens = rig::lens(2600),
+                          double distance = 1) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal(0, 1);
   std::uniform_real_distribution<double> height(0.45, 1.2), around(0, 2 * M_PI);
@@ -127,10 +128,12 @@ ByHand photographedByHand(double noise_px) {
   hand.truth.bends[0] = bend;
   for (int i = 0; i < 20; ++i) {
     RigState::Camera& camera = hand.truth.cameras.emplace_back();
-    camera.intrinsics = rig::lens(2600 * (1 + 0.004 * normal(random)));
+    camera.intrinsics = lens;
+    camera.intrinsics.fx = camera.intrinsics.fy = lens.fx * (1 + 0.004 * normal(random));
     camera.intrinsics.cx += 3 * normal(random);
     camera.intrinsics.cy += 3 * normal(random);
     camera.camera_from_turntable = rig::lookingDown(height(random), around(random));
+    camera.camera_from_turntable.translation() *= distance;
     hand.lenses.lens_of_camera.push_back(0);
     int point = 0;
     for (int column = -3; column < 3; ++column)
@@ -179,6 +182,31 @@ TEST(Adjust, FindsPosesAndBendOfPhotographsByHandFromAFlatSheetAndOneLens) {
   for (const Eigen::Vector2d& p : {Eigen::Vector2d(100, 60), Eigen::Vector2d(-120, 80)})
     EXPECT_NEAR(found->bends[0].at(p.x(), p.y()) - found->bends[0].at(0, 0),
                 hand.truth.bends[0].at(p.x(), p.y()), 0.3);
+}
+
+// A telephone from 30 cm away sees the sheet out to where the term of sixth order moves it by half
+// a pixel; what a flat sheet alone tells of that term may be wrong.
+TEST(Adjust, FindsTheSixthOrderOfALensByHand) {
+  rig::Intrinsics lens = rig::lens(1290);
+  lens.distortion.terms = {0.05, -0.08, 0, 0, 0.1};
+  const ByHand hand = photographedByHand(0.05, lens, 0.5);
+  RigState start = hand.truth;
+  start.bends = {};
+  start.print_errors_mm.assign(2 * 96, Eigen::Vector3d::Zero());
+  for (RigState::Camera& camera : start.cameras) {
+    camera.intrinsics = rig::lens(1270);
+    camera.intrinsics.distortion.terms = {0.04, -0.03, 0, 0, -0.2};
+    camera.camera_from_turntable =
+        rig::rigid({0.01, -0.01, 0.02}, {1, -2, 3}) * camera.camera_from_turntable;
+  }
+  AdjustOptions options;
+  options.cameras = Cameras::Separate;
+  options.lenses = hand.lenses;
+  options.bend_sd_mm = 3;
+  const auto found = adjust(start, hand.corners, {}, options);
+  ASSERT_TRUE(found.has_value()) << found.error().sentence();
+  for (const RigState::Camera& camera : found->cameras)
+    EXPECT_NEAR(camera.intrinsics.distortion[4], 0.1, 0.05);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #include "cloud/point_cloud.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 #include <unordered_map>
 
 #include "base/median.h"
@@ -56,6 +59,28 @@ PointCloud oriented(PointCloud cloud) {
   }
   if (directed.empty()) cloud.normals.clear();
   return directed.empty() || directed.size() == cloud.size() ? cloud : subset(cloud, directed);
+}
+
+PointCloud withoutRepeats(PointCloud cloud) {
+  std::vector<int> order(cloud.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto point = [&](int i) { return cloud.points[static_cast<std::size_t>(i)]; };
+  std::ranges::sort(order, {}, [&](int i) {
+    const Eigen::Vector3f p = point(i);
+    return std::tuple(p.x(), p.y(), p.z(), i);
+  });
+  const bool has_normals = cloud.hasNormals();
+  std::vector<int> kept;
+  for (const int i : order) {
+    if (kept.empty() || point(i) != point(kept.back()))
+      kept.push_back(i);
+    else if (has_normals)
+      cloud.normals[static_cast<std::size_t>(kept.back())] +=
+          cloud.normals[static_cast<std::size_t>(i)];
+  }
+  if (kept.size() == cloud.size()) return cloud;
+  std::ranges::sort(kept);
+  return subset(cloud, kept);
 }
 
 PointCloud thinned(const PointCloud& cloud, double edge_mm) {

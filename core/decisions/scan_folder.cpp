@@ -140,10 +140,8 @@ Message withoutDirection(const fs::path& file, std::size_t n) {
                    file, n);
 }
 
-Result<scan::Scan> readScan(const fs::path& file, Message& warning) {
-  const Result<std::string> bytes = readFile(file);
-  if (!bytes) return bytes.error();
-  Result<PlyContents> contents = parsePly(*bytes, file.string());
+Result<scan::Scan> readScan(std::string_view bytes, const fs::path& file, Message& warning) {
+  Result<PlyContents> contents = parsePly(bytes, file.string());
   if (!contents) return contents.error();
   if (contents->dropped_not_finite > 0) {
     warning = notFinite(file, contents->dropped_not_finite);
@@ -159,6 +157,7 @@ Result<scan::Scan> readScan(const fs::path& file, Message& warning) {
     warning = warning.empty() ? far : inOne(warning, far);
     scan.cloud = subset(scan.cloud, measured);
   }
+  scan.cloud = withoutRepeats(std::move(scan.cloud));
   const std::size_t all = scan.cloud.size();
   scan.cloud = oriented(std::move(scan.cloud));
   if (scan.cloud.size() < all) {
@@ -219,7 +218,7 @@ Result<ScanFolder> readScanFolder(const fs::path& folder, int threads) {
   parallelFor(files->size(), threads, [&](std::size_t i) {
     const Result<std::string> bytes = readFile((*files)[i]);
     hashes[i] = (*files)[i].filename().string() + ":" + (bytes ? sha256(*bytes) : "unreadable");
-    read[i] = readScan((*files)[i], warnings[i]);
+    read[i] = bytes ? readScan(*bytes, (*files)[i], warnings[i]) : bytes.error();
   });
   ScanFolder side;
   for (std::size_t i = 0; i < read.size(); ++i) {

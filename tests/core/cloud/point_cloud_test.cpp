@@ -38,6 +38,24 @@ TEST(Subset, KeepsTheOrderAskedForAndOnlyWhatIsThere) {
   EXPECT_TRUE(part.colors.empty());
 }
 
+TEST(WithoutRepeats, LeavesTheFirstOfAPlaceWithTheNormalsOfAll) {
+  const PointCloud cloud{{{1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, -0.f}, {2, 0, 0}},
+                         {{0, 0, 1}, {0, 0, 1}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}},
+                         {},
+                         {1, 2, 3, 4, 5}};
+  const PointCloud once = withoutRepeats(cloud);
+  ASSERT_EQ(once.size(), 3u);
+  EXPECT_EQ(once.points[0], Eigen::Vector3f(1, 0, 0));
+  EXPECT_EQ(once.points[1], Eigen::Vector3f(0, 0, 0));
+  EXPECT_EQ(once.points[2], Eigen::Vector3f(2, 0, 0));
+  EXPECT_EQ(once.quality, (std::vector<float>{1, 2, 5}));
+  const PointCloud directed = oriented(once);
+  EXPECT_LT((directed.normals[0] - Eigen::Vector3f(0, 1, 1).normalized()).norm(), 1e-6f);
+  EXPECT_EQ(directed.normals[1], Eigen::Vector3f(0, 0, 1));
+  EXPECT_EQ(withoutRepeats(grid(3, 1)).points, grid(3, 1).points);
+  EXPECT_TRUE(withoutRepeats({}).empty());
+}
+
 TEST(Thinned, LeavesOnePointForEachCube) {
   // 40 x 40 points, 0.1 apart from 0: cubes of 1 mm hold 10 x 10 of them.
   const PointCloud thin = thinned(grid(40, 0.1f), 1.0);

@@ -90,6 +90,23 @@ TEST_F(ScanFolders, LeaveOutPointsThatAreNoMeasurementAndSaySo) {
   EXPECT_THAT(side.warnings[1], HasSubstr("unseen.ply: 30 points"));
 }
 
+// A mesh has a vertex for each face with a normal of its own; a search for neighbours among
+// thousands of points at one place would take the square of their number.
+TEST_F(ScanFolders, CountRepeatedPointsOnce) {
+  PointCloud repeated = disc();
+  for (int times = 0; times < 3; ++times) {
+    const PointCloud again = disc();
+    repeated.points.insert(repeated.points.end(), again.points.begin(), again.points.end());
+    repeated.normals.insert(repeated.normals.end(), again.normals.begin(), again.normals.end());
+  }
+  write("front/a.ply", repeated);
+  const ScanFolder side = read("front");
+  ASSERT_EQ(side.scans.size(), 1u);
+  EXPECT_EQ(side.scans[0].cloud.points, disc().points);
+  EXPECT_EQ(side.scans[0].cloud.normals, disc().normals);
+  EXPECT_TRUE(side.warnings.empty());
+}
+
 // As MeshLab writes the vertices that no face uses.
 TEST_F(ScanFolders, LeaveOutPointsWhoseNormalsHaveNoDirectionAndSaySo) {
   PointCloud some = disc(), none = disc();

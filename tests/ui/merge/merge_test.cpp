@@ -73,6 +73,10 @@ class MergeTest : public QObject {
     model_ = screen_->findChild<MergeModel*>();
     model_->setFolder(b());
     QTRY_COMPARE(model_->state(), MergeModel::State::Settling);
+    // A window manager may have taken the keys elsewhere meanwhile.
+    auto* dialog = child<MergeDialog>("mergeDialog");
+    dialog->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(dialog));
   }
 
  private slots:

@@ -35,6 +35,11 @@
 <context>
     <name>ostraka::ui::ImportAsk</name>
     <message>
+      <source>Check this first</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κοιτάξτε πρώτα αυτό</translation>
+    </message>
+    <message>
       <source>The label in the photographs names %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η ετικέτα στις φωτογραφίες αναφέρει %1.</translation>

@@ -11,6 +11,7 @@
 #include "ui/import/sides_view.h"
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
+#include "ui/widgets/message_panel.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"
@@ -23,12 +24,14 @@ ImportAsk::ImportAsk(QWidget* parent)
       sides_(new SidesView(this)),
       place_(new PlaceEdit(this)),
       labels_(wrappedLabel(this, QStringLiteral("importLabels"))),
+      label_doubt_(new MessagePanel(QStringLiteral("importLabelDoubt"), this)),
       reason_(wrappedLabel(this, QStringLiteral("importReason"))) {
   setObjectName(QStringLiteral("importAsk"));
   words_->setWordWrap(true);
   reason_->setText(
       tr("To import, confirm or move the division between front and back, or choose one side "
          "only."));
+  label_doubt_->setCompact(true);
   import_ = new BigButton(QStringLiteral("importStart"), tr("Import"), this);
   import_->setKeyHint(tr("Enter"));
   auto* leave = named<QPushButton>("importLeave", tr("Cancel import"), this);
@@ -39,7 +42,7 @@ ImportAsk::ImportAsk(QWidget* parent)
   filled(bareLayout<QVBoxLayout>(middle), {words_, sides_, Part::room()});
   // What is looked at is scrolled where it finds no room; what decides, and why not, is not.
   filled(bareLayout<QVBoxLayout>(this),
-         {{new PageArea(middle, this), 1}, reason_, labels_, place_->note(), row});
+         {{new PageArea(middle, this), 1}, reason_, label_doubt_, labels_, place_->note(), row});
   connect(import_, &QPushButton::clicked, this, &ImportAsk::confirm);
   connect(leave, &QPushButton::clicked, this, &ImportAsk::leave);
   connect(place_, &PlaceEdit::entered, this, &ImportAsk::confirm);
@@ -100,15 +103,16 @@ SideLabels ImportAsk::labels() const {
 }
 
 void ImportAsk::followLabels() {
-  QString words;
-  if (!codes_.empty()) {
-    const SideLabels found = labels();
-    words = found.doubt(place_->place());
-    if (const auto bag = found.bag(); words.isEmpty() && bag && !place_->text().isEmpty())
-      words = tr("The label in the photographs names %1.").arg(bag->words());
-  }
-  labels_->setText(words);
-  labels_->setVisible(!words.isEmpty());
+  const SideLabels found = labels();
+  const QString doubt = found.doubt(place_->place());
+  if (doubt.isEmpty())
+    label_doubt_->hide();
+  else
+    label_doubt_->showWords(State::Ask, tr("Check this first"), doubt);
+  const auto bag = found.bag();
+  const bool named = bag && doubt.isEmpty() && !place_->text().isEmpty();
+  if (named) labels_->setText(tr("The label in the photographs names %1.").arg(bag->words()));
+  labels_->setVisible(named);
 }
 
 void ImportAsk::open(const QString& folder, ImportKind kind) {

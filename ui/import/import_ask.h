@@ -11,6 +11,7 @@ class QLabel;
 namespace ostraka::ui {
 
 class BigButton;
+class MessagePanel;
 class PlaceEdit;
 class SidesView;
 
@@ -61,7 +62,8 @@ class ImportAsk final : public QWidget {
   QLabel* words_;
   SidesView* sides_;
   PlaceEdit* place_;
-  QLabel* labels_;  ///< what labels in the photographs say
+  QLabel* labels_;             ///< what labels in the photographs say
+  MessagePanel* label_doubt_;  ///< what they say against it
   std::vector<capture::PhotographCodes> codes_;
   QLabel* reason_;  ///< why it cannot be imported yet
   BigButton* import_;

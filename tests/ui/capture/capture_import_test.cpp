@@ -178,12 +178,16 @@ class CaptureImportTest : public CaptureBench {
     auto* edit = ask->place()->findChild<QLineEdit*>();
     edit->selectAll();
     QTest::keyClicks(edit, "ARM1-T3-0012-5");
-    QVERIFY(child<QLabel>("importLabels")->text().contains("check the bag"));
+    auto* doubt = child<MessagePanel>("importLabelDoubt");
+    QVERIFY(doubt->isVisible());
+    QVERIFY(doubt->words().contains("check the bag"));
+    QVERIFY(!child<QLabel>("importLabels")->isVisible());
     // The next import's photographs have no label.
     photographs("series", 8);
     drop({disk_->filePath("series")});
     QTRY_VERIFY(ask->place()->text().isEmpty());
     QVERIFY(!child<QLabel>("importLabels")->isVisible());
+    QVERIFY(!doubt->isVisible());
   }
 
   void labelsOfTwoBagsOnTheTwoSidesAreADoubt() {
@@ -192,10 +196,10 @@ class CaptureImportTest : public CaptureBench {
     label("fronts/IMG_0.jpg", "OST1:B:ARM1-T3-0012-4:7F3K9Q2M");
     label("backs/IMG_0.jpg", "OST1:B:ARM1-T3-0012-5:8G4L0R3N");
     drop({disk_->filePath("fronts"), disk_->filePath("backs")});
-    auto* labels = child<QLabel>("importLabels");
-    QTRY_VERIFY(labels->isVisible());
-    QVERIFY(labels->text().contains("fronts names ARM1 / T3 / 0012 bag 4"));
-    QVERIFY(labels->text().contains("backs ARM1 / T3 / 0012 bag 5"));
+    auto* doubt = child<MessagePanel>("importLabelDoubt");
+    QTRY_VERIFY(doubt->isVisible());
+    QVERIFY(doubt->words().contains("fronts names ARM1 / T3 / 0012 bag 4"));
+    QVERIFY(doubt->words().contains("backs ARM1 / T3 / 0012 bag 5"));
     QVERIFY(screen_->findChild<ImportAsk*>()->place()->text().isEmpty());
   }
 

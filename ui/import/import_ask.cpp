@@ -91,7 +91,8 @@ void ImportAsk::takeCodes(std::vector<capture::PhotographCodes> seen) {
   const auto bag = labels().bag();
   if (bag && place_->text().isEmpty()) {
     place_->setText(bag->typed());
-    place_->choose();
+    if (place_->isAncestorOf(focusWidget()))
+      place_->choose();  // what is typed elsewhere stays there
   }
   follow();
   emit placeEdited();

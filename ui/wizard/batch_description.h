@@ -41,11 +41,11 @@ class BatchDescription final : public QObject {
   void said(const QString& sentence);
 
  private:
+  std::vector<PlaceText> bagsIn(const QStringList& codes);
+
   QPointer<ProjectSession> session_;
   BatchInHand* batch_;
   PlaceText place_;
-  std::vector<PlaceText> bagsIn(const QStringList& codes);
-
   std::vector<PlaceText> of_backs_;  ///< on labels, last seen while sherds were turned over
   QStringList labels_;  ///< of bags, seen last; while they lie there they say nothing new
   int looks_without_label_ = 0;

@@ -101,8 +101,7 @@ void PlatePictures::preview() {
 }
 
 void PlatePictures::takeLive() {
-  const bool useful = phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip;
-  if (!live_on_ || !useful || live_missing_ || rig_->devices() == nullptr) return;
+  if (!live_on_ || !isUseful() || live_missing_ || rig_->devices() == nullptr) return;
   const LookFor look_for =
       phase_ == CapturePhase::Place ? LookFor::RoomAndLabels : LookFor::SherdsAndLabels;
   rig_->preview(makeJob([devices = rig_->devices(), camera = camera_, look_for](
@@ -118,8 +117,7 @@ void PlatePictures::takeLive() {
 void PlatePictures::showLive(const JobOutcome& outcome) {
   if (Result<PlatePicture> picture = outcomeAs<PlatePicture>(outcome)) {
     live_ = std::move(*picture);
-    const bool useful = phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip;
-    if (useful) emit codesSeen(live_->codes);
+    if (isUseful()) emit codesSeen(live_->codes);
   } else if (picture.error().code != ErrorCode::Cancelled) {
     // No live picture is no fault: the photographs will tell.
     live_missing_ = picture.error().code == ErrorCode::Missing;

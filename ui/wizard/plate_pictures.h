@@ -46,6 +46,7 @@ class PlatePictures final : public QObject {
   void frontCounted(const ostraka::capture::SideCheck& check);
 
  private:
+  bool isUseful() const { return phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip; }
   void takeLive();
   void showLive(const JobOutcome& outcome);
 

@@ -151,13 +151,13 @@ ByHand photographedByHand(double noise_px, const rig::Intrinsics& lens = rig::le
   return hand;
 }
 
-TEST(Adjust, FindsPosesAndBendOfPhotographsByHandFromAFlatSheetAndOneLens) {
-  const ByHand hand = photographedByHand(0.1);
+// From a flat sheet, poses that are off, and one lens.
+Result<RigState> adjustedByHand(const ByHand& hand, const rig::Intrinsics& lens) {
   RigState start = hand.truth;
   start.bends = {};
   start.print_errors_mm.assign(2 * 96, Eigen::Vector3d::Zero());
   for (RigState::Camera& camera : start.cameras) {
-    camera.intrinsics = rig::lens(2570);
+    camera.intrinsics = lens;
     camera.camera_from_turntable =
         rig::rigid({0.01, -0.01, 0.02}, {1, -2, 6}) * camera.camera_from_turntable;
   }
@@ -165,7 +165,12 @@ TEST(Adjust, FindsPosesAndBendOfPhotographsByHandFromAFlatSheetAndOneLens) {
   options.cameras = Cameras::Separate;
   options.lenses = hand.lenses;
   options.bend_sd_mm = 3;
-  const auto found = adjust(start, hand.corners, {}, options);
+  return adjust(start, hand.corners, {}, options);
+}
+
+TEST(Adjust, FindsPosesAndBendOfPhotographsByHandFromAFlatSheetAndOneLens) {
+  const ByHand hand = photographedByHand(0.1);
+  const auto found = adjustedByHand(hand, rig::lens(2570));
   ASSERT_TRUE(found.has_value()) << found.error().sentence();
   double worst_px = 0;
   for (std::size_t i = 0; i < 20; ++i)
@@ -190,20 +195,9 @@ TEST(Adjust, FindsTheSixthOrderOfALensByHand) {
   rig::Intrinsics lens = rig::lens(1290);
   lens.distortion.terms = {0.05, -0.08, 0, 0, 0.1};
   const ByHand hand = photographedByHand(0.05, lens, 0.5);
-  RigState start = hand.truth;
-  start.bends = {};
-  start.print_errors_mm.assign(2 * 96, Eigen::Vector3d::Zero());
-  for (RigState::Camera& camera : start.cameras) {
-    camera.intrinsics = rig::lens(1270);
-    camera.intrinsics.distortion.terms = {0.04, -0.03, 0, 0, -0.2};
-    camera.camera_from_turntable =
-        rig::rigid({0.01, -0.01, 0.02}, {1, -2, 3}) * camera.camera_from_turntable;
-  }
-  AdjustOptions options;
-  options.cameras = Cameras::Separate;
-  options.lenses = hand.lenses;
-  options.bend_sd_mm = 3;
-  const auto found = adjust(start, hand.corners, {}, options);
+  rig::Intrinsics first = rig::lens(1270);
+  first.distortion.terms = {0.04, -0.03, 0, 0, -0.2};
+  const auto found = adjustedByHand(hand, first);
   ASSERT_TRUE(found.has_value()) << found.error().sentence();
   for (const RigState::Camera& camera : found->cameras)
     EXPECT_NEAR(camera.intrinsics.distortion[4], 0.1, 0.05);

@@ -190,6 +190,21 @@ class CaptureImportTest : public CaptureBench {
     QVERIFY(!doubt->isVisible());
   }
 
+  // Labels are read for seconds: what a person types meanwhile does not land in the bag.
+  void aLabelThatIsReadLeavesTheCursorWhereItIs() {
+    photographs("series", 8);
+    drop({disk_->filePath("series")});
+    auto* ask = screen_->findChild<ImportAsk*>();
+    auto* marker = child<QDoubleSpinBox>("importMarker");
+    QTRY_VERIFY(marker->isVisible());
+    marker->setFocus();
+    QVERIFY(marker->hasFocus());
+    ask->takeCodes(
+        {{disk_->filePath("series/IMG_0.jpg").toStdString(), {"OST1:B:ARM1-T3-0012-4:7F3K9Q2M"}}});
+    QCOMPARE(ask->place()->text(), QStringLiteral("ARM1-T3-0012-4"));
+    QVERIFY(marker->hasFocus());
+  }
+
   void labelsOfTwoBagsOnTheTwoSidesAreADoubt() {
     photographs("fronts", 4);
     photographs("backs", 4);

@@ -257,7 +257,11 @@ void CaptureWizard::again() {
   if (summary && !summary->cut_off &&
       doubts().size() <= static_cast<qsizetype>(summary->flagged.size()))
     retake = summary->flagged;
-  if (retake.empty() && doubts().isEmpty()) {
+  // A label beside the backs says nothing against the fronts: other sherds lie there now, perhaps.
+  const bool doubted = back
+                           ? !doubts().isEmpty()
+                           : doubts_.repeat || !doubts_.found.isEmpty() || !doubts_.count.isEmpty();
+  if (retake.empty() && !doubted) {
     doubts_.repeat = true;
     return emit changed();
   }

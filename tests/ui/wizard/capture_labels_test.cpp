@@ -133,6 +133,12 @@ class CaptureLabelsTest : public QObject {
     QVERIFY(bench.wizard.doubts()[0].contains("names ARM1 / T3 / 0012 bag 5"));
     QVERIFY(bench.wizard.doubts()[0].contains("of ARM1 / T3 / 0012 bag 4"));
     QCOMPARE(bench.wizard.description()->place().bag, QStringLiteral("4"));
+    // Nor is another bag's sherd photographed as a front by one key.
+    bench.wizard.again();
+    QVERIFY(bench.wizard.asksToRepeat());
+    QCOMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.wizard.keepPhotographs();
+    QCOMPARE(bench.wizard.doubts().size(), 1);
     // Both lie there: the bag's own is one of them.
     bench.rig.preview = pictureOfLabels({kLabel4, kLabel5});
     QTRY_VERIFY(bench.wizard.doubts().isEmpty());
